@@ -1,0 +1,21 @@
+// For: transparency.h
+// Built-in surface program for hosts without shaders of their own: fragment stage.
+uniform highp uint tr_object;
+#if TR_WANTS_COLOR
+in highp vec3 tr_v_normal;
+in highp vec4 tr_v_color;
+#endif
+
+void main()
+{
+#if TR_WANTS_COLOR
+    highp float length_squared = dot(tr_v_normal, tr_v_normal);
+    // A missing or cancelled normal shades as if it faced across the light, not as NaN.
+    highp vec3 normal = length_squared > 0.0 ? tr_v_normal * inversesqrt(length_squared) : vec3(0.0);
+    if (!gl_FrontFacing)
+        normal = -normal;
+    tr_surface(vec4(tr_cool_to_warm(tr_v_color.rgb, normal, tr_light.xyz, tr_cool, tr_warm), tr_v_color.a), tr_object);
+#else
+    tr_surface(vec4(0.0), tr_object);
+#endif
+}

@@ -1,0 +1,2418 @@
+/* transparency.h - v0.1.0 - illustrators' transparency for OpenGL 3.3, OpenGL ES 3.0 and WebGL 2 - MIT licence, at the end
+
+   DOES
+   - draws technical illustrations in which opaque things show through the transparent objects that enclose them, after
+     Diepstraten, Weiskopf and Ertl, "Transparency in Interactive Technical Illustrations" (2002): faces of transparent
+     objects never shine through each other, an opaque thing behind two transparent objects does not show, and
+     transparency falls off toward the silhouettes of the transparent object
+   - gives the same picture, bit for bit, in whatever order the objects are drawn; sorts nothing, reads nothing back
+   - shades from cool to warm (Gooch et al. 1999) and draws silhouettes and creases in the right passes, for hosts that
+     have no shaders of their own; works with the host's own shaders through one function call
+   - leaves the GL state as found, or tells the host which state each pass wants
+
+   DOES NOT
+   - create a GL context, load models, find silhouettes or their distances: silhouette.h does the last two, or anything
+     else that fills plain arrays
+   - show what lies inside hollow objects whose inner walls are modelled (the paper's method II), several layers, or
+     units behind things: version 0.1 has the paper's method I ("implicit interiors")
+   - draw into multisampled targets: create refuses nothing, tr_begin returns TR_TARGET_MULTISAMPLED. Render larger and
+     scale down instead, as examples/illustrate.c does
+
+   QUICK START: a triangle's worth of it, given a current context and its getter of function pointers
+
+    --8<-- quick start
+    #define TRANSPARENCY_IMPLEMENTATION
+    #include "transparency.h"
+
+    extern tr_proc get_proc(const char *name);                       // eglGetProcAddress, glfwGetProcAddress, ...
+    extern void draw_my_mesh(int index);                             // binds a vertex array, calls glDrawElements
+    extern void my_matrices(int index, float mvp[16], float normal_matrix[9]);
+
+    static const tr_object objects[2] = {{1, TR_TRANSPARENT}, {2, TR_OPAQUE}};
+
+    tr_context *start(void) {
+        tr_desc desc = {0};
+        desc.get_proc = get_proc;
+        return tr_create(&desc, 0);
+    }
+
+    tr_result draw_frame(tr_context *tr, int width, int height) {    // into the default framebuffer, cleared before
+        tr_frame frame = {0};
+        tr_pass pass;
+        tr_result result;
+        int i;
+        frame.width = width;
+        frame.height = height;
+        frame.scene = tr_scene_count(objects, 2, sizeof objects[0]);
+        result = tr_begin(tr, &frame);
+        if (result != TR_OK) return result;
+        while (tr_next_pass(tr, &pass))
+            for (i = 0; i < 2; ++i)
+                if (pass.lines == 0 && tr_pass_draws(&pass, &objects[i])) {
+                    tr_material material = {{0}};
+                    my_matrices(i, material.model_view_projection, material.normal_matrix);
+                    material.object = objects[i].id;
+                    material.color[0] = material.color[1] = material.color[2] = 0.7f;
+                    material.color[3] = 0.5f;
+                    tr_set_material(tr, &pass, &material);
+                    draw_my_mesh(i);
+                }
+        return tr_end(tr);
+    }
+    -->8--
+
+   BUILD
+   Define TRANSPARENCY_IMPLEMENTATION in one C (C99) or C++ (C++11) file before including this header; include it
+   anywhere else without. Link nothing but your GL loader; tr_* functions call GL through the table that desc.get_proc
+   fills.
+
+   OPTIONS, defined before the implementation unless said otherwise
+   - TR_STATIC           every function static; define it wherever the header is included
+   - TR_GL_STATIC        take the gl* names that are visible (glad, GLEW, epoxy, GLES3/gl3.h: include it first) instead
+                         of desc.get_proc
+   - TR_MALLOC, TR_FREE  used when the desc brings no allocator; default malloc and free
+
+   GL FLOOR
+   OpenGL 3.3 core, OpenGL ES 3.0, WebGL 2. Newer functions (indexed blend and mask state) are used where the version
+   has them. No extension is needed.
+
+   GL STATE CONTRACT
+   Between tr_begin and tr_end the header owns the state of the context; the host draws its objects with what each pass
+   has set: program (a built-in one, or the host's own), framebuffer, viewport, masks, depth, blend, cull. The host binds
+   vertex arrays, its own textures below desc.first_texture_unit and its own uniform buffers. desc.state says what
+   happens around that:
+   - TR_STATE_RESTORE         all that tr_begin changed is as it was after tr_end (the state list is tr_i_snapshot)
+   - TR_STATE_LEAVE_DEFAULTS  that state has the values of a fresh context after tr_end, target framebuffer 0
+   - TR_STATE_LEAVE_DIRTY     it is whatever the last pass needed
+   - TR_STATE_NONE            no state call is made between tr_begin and tr_end: pass.state holds what the host must
+                              set, clear and bind, and passes with vertex_count > 0 are drawn by the host as well
+   Not touched, and expected to be at rest: conditional rendering, transform feedback, clip control's origin, sample
+   shading. Clip distances are switched off in each pass; a host whose shaders write them switches them on again after
+   tr_next_pass. Under TR_STATE_NONE, tr_begin may still bind and restore when something is created or changed.
+   The alpha channel of the target is not written. Other attachments than the target's first are masked off (not on ES
+   before 3.2, where GL has no such mask: their content is undefined there).
+   glGetError is never called, so that no error of the host's is swallowed.
+
+   ERRORS, MEMORY, THREADS
+   Every function that can fail returns a tr_result and logs through desc.log_fn. A failed tr_begin leaves the state as
+   found and nothing allocated that tr_destroy would not free; the next frame may be tried. One heap block a context.
+   Textures are created when a plan first needs them or the size changes (never in a steady frame): 24 bytes a pixel with
+   everything on, see tr_plan.bytes. One context of ours for one GL context, used from the thread that has it current.
+
+   RECIPES
+   - Your own shaders: prepend the strings of tr_glsl() to a vertex and a fragment shader (which then begins without
+     #version), call tr_surface(color, object) last in the fragment main, link, tr_prepare_program() once; make one
+     program for each tr_rule that you meet in pass.rule. The vertex shader must compute gl_Position alike in all.
+   - Lines: fill a buffer with triangles in screen space (sil_ribbons of silhouette.h has the layout: four floats x, y,
+     depth, slack as attribute 0, centre x, y as attribute 1), ask for them with wishes.lines, and draw them in passes
+     whose pass.lines is not 0: the creases of an object or its outlines.
+   - View-dependent alpha: attribute 2 holds each vertex's distance to the nearest silhouette (sil_distances),
+     material.d_max the largest (sil_max_distance).
+   - Existing depth: the picture is drawn into the target depth tested, so what the host drew before hides it.
+
+   LIMITS AND PRECISION
+   - Depths are 32-bit floats; layers are told apart down to one unit in the last place. Where an opaque surface and the
+     front-most transparent one have exactly the same depth the opaque one is seen.
+   - Coincident front faces count as one surface, that of the lowest object id; another object's coincident front face
+     limits what is seen through it as if it were behind. Ids are below 2^24 - 1.
+   - Colours pass through 8-bit textures once before the target's own rounding: 1/255 at the most.
+   - Image size: what GL_MAX_TEXTURE_SIZE allows. A viewport of no area draws nothing and is no error.
+*/
+#ifndef TRANSPARENCY_H
+#define TRANSPARENCY_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#define TR_VERSION 100 /* major * 10000 + minor * 100 + patch */
+
+#ifdef TR_STATIC
+#define TR_DEF static
+#else
+#define TR_DEF extern
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* What went wrong. tr_result_string gives the sentence. */
+#define TR_RESULTS(X)                                                                                                  \
+    X(TR_OK, "no error")                                                                                               \
+    X(TR_INVALID_ARGUMENT, "an argument is missing or out of range")                                                   \
+    X(TR_OUT_OF_MEMORY, "out of memory")                                                                               \
+    X(TR_GL_TOO_OLD, "the context is older than OpenGL 3.3 or OpenGL ES 3.0")                                          \
+    X(TR_GL_FUNCTION_MISSING, "a GL function that is needed was not found")                                            \
+    X(TR_SHADER_FAILED, "a shader did not compile or link")                                                            \
+    X(TR_TARGET_INCOMPLETE, "a framebuffer is not complete (no memory for its textures, or the target is not)")        \
+    X(TR_TARGET_MULTISAMPLED, "the target is multisampled, which this version does not draw into")                     \
+    X(TR_TOO_LARGE, "the viewport is larger than the context's textures can be")                                       \
+    X(TR_WRONG_ORDER, "tr_begin inside of a frame, or tr_end outside")
+
+typedef enum tr_result {
+#define TR_I_ENUM(name, text) name,
+    TR_RESULTS(TR_I_ENUM)
+#undef TR_I_ENUM
+        TR_RESULT_COUNT
+} tr_result;
+
+typedef enum tr_state_policy {
+    TR_STATE_RESTORE,
+    TR_STATE_LEAVE_DEFAULTS,
+    TR_STATE_LEAVE_DIRTY,
+    TR_STATE_NONE
+} tr_state_policy;
+
+typedef enum tr_log_level { TR_LOG_ERROR, TR_LOG_WARNING, TR_LOG_INFO } tr_log_level;
+
+typedef void (*tr_proc)(void);
+
+typedef struct tr_desc {
+    tr_proc (*get_proc)(const char *name); /* required, except with TR_GL_STATIC */
+    void *(*alloc_fn)(size_t size, void *user); /* both or neither */
+    void (*free_fn)(void *block, void *user);
+    void *alloc_user;
+    void (*log_fn)(tr_log_level level, tr_result code, const char *text, void *user); /* optional */
+    void *log_user;
+    tr_state_policy state;
+    int max_gl_version;     /* 0: what the context has; 330: use nothing newer than 3.3 (for tests of fall-backs) */
+    int first_texture_unit; /* five units from here on are ours; 0: 8 */
+    int uniform_binding;    /* uniform buffer binding point that is ours; 0: 15 */
+    int reversed_z;         /* 1: near is 1, far is 0 */
+    int front_face_cw;      /* 1: front faces are wound clockwise in window space */
+} tr_desc;
+
+/* ---- what is drawn ---------------------------------------------------------------------------------------------- */
+
+enum {
+    TR_OPAQUE = 0,
+    TR_TRANSPARENT = 1,
+    TR_TWO_SIDED = 2 /* open sheets: both sides count as front, none as back */
+};
+
+/* One object of the host's, as far as passes care. */
+typedef struct tr_object {
+    uint32_t id;    /* stable, unique among transparent objects, 0 ... 2^24 - 2 */
+    uint32_t flags; /* TR_TRANSPARENT, TR_TWO_SIDED */
+} tr_object;
+
+/* What is in the scene, as counts: a plan follows from them, no object list is kept. */
+typedef struct tr_scene {
+    uint32_t opaque, opaque_two_sided, transparent, transparent_two_sided;
+} tr_scene;
+
+typedef enum tr_interior {
+    TR_INTERIOR_IMPLICIT,          /* Diepstraten 6.1 (method I), mended: see docs/transparency.md */
+    TR_INTERIOR_IMPLICIT_PUBLISHED /* as the paper has it, with its two faults */
+} tr_interior;
+
+/* alpha and C of the transparent surface; w: weight of what is behind it, D: its colour. */
+typedef enum tr_blending {
+    TR_BLENDING_OVER,       /* alpha C + (1 - alpha) D */
+    TR_BLENDING_NORMALISED, /* (alpha C + w D) / (alpha + w); D where both are 0 */
+    TR_BLENDING_PUBLISHED   /* alpha C + w D, clamped */
+} tr_blending;
+
+enum { TR_LINES_CREASES = 1, TR_LINES_OUTLINES = 2 }; /* outlines: silhouettes and boundaries */
+
+typedef struct tr_wishes {
+    tr_interior interior;
+    tr_blending blending;
+    uint32_t lines; /* TR_LINES_*: which the host has ribbons for */
+} tr_wishes;
+
+typedef struct tr_frame {
+    uint32_t framebuffer;    /* target; single-sampled; its first colour attachment is drawn, depth tested if it has any */
+    int x, y, width, height; /* viewport within the target, pixels */
+    tr_scene scene;
+    tr_wishes wishes;
+    float opaque_weight;     /* w of opaque things, in [0,1]; 0: default 1; negative: 0 */
+    float background_weight; /* w of the target's own content; 0: default 0.5 (Diepstraten 7); negative: 0 */
+    /* Built-in shading. All zeros: cool-to-warm with the default ends; flat_shading: the object's colour as it is. */
+    int flat_shading;
+    float light[3];              /* toward the light, any length, in the space of the normals; zero: (-0.45, 0.65, 0.62) */
+    float cool[4], warm[4];      /* rgb, and the amount of the object's colour in it; both zero: defaults */
+    float crease_color[3];       /* ink; zero: white (Gooch 1999, figure 9) unless black_creases */
+    int black_creases;
+    float outline_color[3];      /* zero: black */
+    float line_tolerance;        /* depth tolerance of lines in pixels toward the eye; 0: default 2 */
+} tr_frame;
+
+/* ---- the plan --------------------------------------------------------------------------------------------------- */
+
+typedef enum tr_pass_kind {
+    TR_PASS_FRONT,             /* depth of the nearest transparent front face */
+    TR_PASS_OWNER,             /* and whose it is */
+    TR_PASS_LIMIT,             /* depth from which on opaque things are hidden */
+    TR_PASS_OPAQUE,            /* opaque colour */
+    TR_PASS_COPY_DEPTH,        /* full screen */
+    TR_PASS_OPAQUE_LINES,      /* lines of opaque objects */
+    TR_PASS_BLENDED,           /* colour and alpha of the front-most transparent face */
+    TR_PASS_COMPOSE,           /* full screen, into the target */
+    TR_PASS_TRANSPARENT_LINES, /* lines of transparent objects, into the target */
+    TR_PASS_KIND_COUNT
+} tr_pass_kind;
+
+/* What the fragment shader of an object does in a pass: TR_RULE of shaders/surface_rules.glsl. */
+typedef enum tr_rule {
+    TR_RULE_FRONT,
+    TR_RULE_OWNER,
+    TR_RULE_LIMIT,
+    TR_RULE_LIMIT_SHEET,
+    TR_RULE_LIMIT_ALONE,
+    TR_RULE_OPAQUE,
+    TR_RULE_BLENDED,
+    TR_RULE_BLENDED_ALONE,
+    TR_RULE_COUNT
+} tr_rule;
+
+#define TR_MAX_PASSES 20
+
+typedef struct tr_plan_pass {
+    tr_pass_kind kind;
+    tr_rule rule;      /* of surface passes */
+    uint32_t classes;  /* which objects: bit (flags of tr_object) */
+    uint32_t lines;    /* 0: surfaces; else which lines */
+    int clear_color, clear_depth; /* 1: the first to draw there */
+    int cull;          /* 0: nothing, 1: back faces, 2: front faces */
+    const char *why;
+} tr_plan_pass;
+
+typedef struct tr_plan {
+    int pass_count;
+    tr_plan_pass passes[TR_MAX_PASSES];
+    uint32_t textures;        /* bits of those that are needed, see tr_plan_print */
+    uint32_t bytes_per_pixel; /* of our own textures */
+} tr_plan;
+
+/* Pure CPU: the fewest passes that draw what is there and wished. Returns TR_INVALID_ARGUMENT for values out of range. */
+TR_DEF tr_result tr_plan_make(const tr_scene *scene, const tr_wishes *wishes, tr_plan *plan);
+/* The plan as text, a line a pass. Writes at most capacity bytes with a final 0; returns the length needed without it. */
+TR_DEF size_t tr_plan_print(const tr_plan *plan, char *text, size_t capacity);
+TR_DEF const char *tr_pass_kind_name(tr_pass_kind kind);
+/* Counts an array of tr_object (or of larger structs that begin with one). */
+TR_DEF tr_scene tr_scene_count(const void *objects, size_t count, size_t stride);
+
+/* ---- the sequence ----------------------------------------------------------------------------------------------- */
+
+/* All state that a pass needs, as data; GL enumerants by their numbers. Under TR_STATE_NONE the host applies it:
+   framebuffer, viewport, clears (of the whole framebuffer, masks open), then the rest. */
+typedef struct tr_state {
+    uint32_t framebuffer;
+    int viewport[4];
+    uint32_t program;        /* built-in; the host's own may stand in for it in surface passes */
+    uint32_t vertex_array;   /* of full-screen passes */
+    int vertex_count;        /* 3: the host draws glDrawArrays(GL_TRIANGLES, 0, 3); 0: the host draws its objects */
+    uint32_t textures[5];    /* GL_TEXTURE_2D on unit first_texture_unit + i, no sampler object; 0: not read */
+    int first_texture_unit;
+    uint32_t uniform_buffer; /* bound to uniform_binding */
+    int uniform_binding;
+    int clear_color, clear_depth; /* 1: clear before drawing */
+    float clear_color_value[4], clear_depth_value;
+    int color_write; /* attachment 0; others are never written */
+    int depth_test, depth_write;
+    uint32_t depth_func;
+    int blend;
+    uint32_t blend_source, blend_destination, blend_source_alpha, blend_destination_alpha; /* equation: add */
+    uint32_t cull_face; /* 0: none */
+    uint32_t front_face;
+} tr_state;
+
+typedef struct tr_pass {
+    tr_pass_kind kind;
+    tr_rule rule;
+    uint32_t classes;
+    uint32_t lines; /* 0: draw surfaces; TR_LINES_CREASES or TR_LINES_OUTLINES: draw these lines of the objects */
+    const char *name;
+    tr_state state;
+} tr_pass;
+
+typedef struct tr_context tr_context;
+
+/* Needs a current context. Returns NULL and the reason (result may be NULL) on failure; nothing is left behind. */
+TR_DEF tr_context *tr_create(const tr_desc *desc, tr_result *result);
+TR_DEF void tr_destroy(tr_context *tr); /* the context current; NULL is fine */
+
+TR_DEF tr_result tr_begin(tr_context *tr, const tr_frame *frame);
+/* 1: draw all objects for which tr_pass_draws says so; 0: no pass is left, call tr_end. */
+TR_DEF int tr_next_pass(tr_context *tr, tr_pass *pass);
+TR_DEF int tr_pass_draws(const tr_pass *pass, const tr_object *object);
+TR_DEF tr_result tr_end(tr_context *tr); /* may come early: what is drawn so far stays */
+
+/* Uniforms of the built-in surface programs. */
+typedef struct tr_material {
+    float model_view_projection[16]; /* column-major */
+    float normal_matrix[9];          /* column-major 3x3: object space to the space of tr_frame.light */
+    float color[4];                  /* rgb added to attribute 3; alpha on the silhouette, of transparent objects */
+    float d_max, k;                  /* equation 2; d_max = 0: alpha is constant */
+    uint32_t object;                 /* tr_object.id */
+} tr_material;
+
+/* For surface passes drawn with the built-in program; call it after tr_next_pass, before the draw call. */
+TR_DEF void tr_set_material(tr_context *tr, const tr_pass *pass, const tr_material *material);
+
+typedef enum tr_stage { TR_VERTEX, TR_FRAGMENT, TR_STAGE_COUNT } tr_stage;
+
+/* Strings (with #version) to put before a shader of the host's; valid as long as the context; NULL for bad arguments. */
+TR_DEF const char *const *tr_glsl(const tr_context *tr, tr_stage stage, tr_rule rule, int *count);
+/* Once for each linked program of the host's that has tr_glsl in it. */
+TR_DEF tr_result tr_prepare_program(tr_context *tr, uint32_t program);
+
+typedef struct tr_info {
+    int es;           /* 1: OpenGL ES */
+    int version;      /* 330 for 3.3; after desc.max_gl_version */
+    uint64_t bytes;   /* of GL textures held now */
+    const tr_plan *plan; /* of the last tr_begin */
+} tr_info;
+TR_DEF tr_info tr_get_info(const tr_context *tr);
+/* Gives the textures back, e.g. when illustrations pause; the next frame makes them anew. */
+TR_DEF void tr_release(tr_context *tr);
+
+TR_DEF const char *tr_result_string(tr_result result);
+/* Equation 2 as the shaders compute it: 1 - (d / d_max)^k in [0,1]; 1 where d or d_max is not > 0 (NaN included). */
+TR_DEF float tr_view_alpha(float d, float d_max, float k);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif /* TRANSPARENCY_H */
+
+#ifdef TRANSPARENCY_IMPLEMENTATION
+#ifndef TRANSPARENCY_IMPLEMENTATION_ONCE
+#define TRANSPARENCY_IMPLEMENTATION_ONCE
+
+#include <math.h>
+#include <string.h>
+
+#ifndef TR_MALLOC
+#include <stdlib.h>
+#define TR_MALLOC(size) malloc(size)
+#define TR_FREE(block) free(block)
+#endif
+
+#ifdef TR_STATIC
+#define TR_I_API static
+#else
+#define TR_I_API
+#endif
+
+#if defined(_WIN32) && !defined(_WIN64)
+#define TR_I_GLAPI __stdcall
+#else
+#define TR_I_GLAPI
+#endif
+
+/* clang-format off */
+/* ==== generated from shaders/ by tools/embed_shaders: edit there, then `make shaders` ==== */
+/* clang-format off */
+static const char *const tr_i_shader_alpha_law_glsl[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// View-dependent alpha, Diepstraten 2002, equation 2: alpha = 1 - (d / d_max)^k, clamped to [0, 1].\n"
+    "//\n"
+    "// d: distance to the nearest silhouette, d_max: farthest surface point from the object's centre, both in one unit.\n"
+    "// alpha = 1 at d = 0 for every k >= 0, wherever d_max <= 0, and for NaN; alpha = 0 from d = d_max on.\n"
+    "// k = 0 leaves the silhouette alone opaque; negative k counts as 0.\n"
+    "float tr_view_alpha(highp float d, highp float d_max, highp float k)\n"
+    "{\n"
+    "    if (!(d > 0.0) || !(d_max > 0.0))\n"
+    "        return 1.0;\n"
+    "    if (!(d < d_max))\n"
+    "        return 0.0;\n"
+    "    // The floor keeps log2 finite where a driver flushes denormals to zero.\n"
+    "    highp float ratio = max(d / d_max, 1.0e-30);\n"
+    "    return clamp(1.0 - exp2(max(k, 0.0) * log2(ratio)), 0.0, 1.0);\n"
+    "}\n",
+    0};
+static const char *const tr_i_shader_compose_frag[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// The transparent layer over opaque things, into the host's target; Diepstraten 2002, sections 5 and 7.\n"
+    "//\n"
+    "// alpha_t, C_t: the transparent surface; w, C_d: what is behind it, an opaque thing or the background, which is what\n"
+    "// the host's target holds. All three blendings have the form rgb + a * target, drawn with the blend function\n"
+    "// (ONE, SRC_ALPHA), so that the target's own alpha is neither needed nor touched.\n"
+    "#define TR_BLENDING_OVER 0\n"
+    "#define TR_BLENDING_NORMALISED 1\n"
+    "#define TR_BLENDING_PUBLISHED 2\n"
+    "\n"
+    "uniform highp sampler2D tr_scene_depth;\n"
+    "#if TR_HAS_OPAQUE\n"
+    "uniform lowp sampler2D tr_opaque_color; // a = 1 where an opaque thing is\n"
+    "#endif\n"
+    "#if TR_HAS_LAYER\n"
+    "uniform highp sampler2D tr_front_depth;\n"
+    "uniform lowp sampler2D tr_layer_color;\n"
+    "#endif\n"
+    "layout(location = 0) out highp vec4 tr_color;\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    ivec2 pixel = ivec2(gl_FragCoord.xy) - ivec2(tr_viewport.xy);\n"
+    "    highp float depth = texelFetch(tr_scene_depth, pixel, 0).r;\n"
+    "    gl_FragDepth = depth;\n"
+    "#if TR_HAS_OPAQUE\n"
+    "    highp vec4 behind = texelFetch(tr_opaque_color, pixel, 0);\n"
+    "#else\n"
+    "    highp vec4 behind = vec4(0.0);\n"
+    "#endif\n"
+    "    bool opaque = behind.a > 0.5;\n"
+    "    // What is behind, as rgb + keep * target.\n"
+    "    highp float keep = opaque ? 0.0 : 1.0;\n"
+    "    highp vec3 color = opaque ? behind.rgb : vec3(0.0);\n"
+    "#if TR_HAS_LAYER\n"
+    "    // The scene's depth is the front-most transparent surface's where that was drawn, and only there.\n"
+    "    if (depth != TR_CLEAR_DEPTH && depth == texelFetch(tr_front_depth, pixel, 0).r) {\n"
+    "        highp vec4 front = texelFetch(tr_layer_color, pixel, 0);\n"
+    "        highp float weight = opaque ? tr_weights.x : tr_weights.y;\n"
+    "#if TR_BLENDING == TR_BLENDING_OVER\n"
+    "        weight = 1.0 - front.a;\n"
+    "#elif TR_BLENDING == TR_BLENDING_NORMALISED\n"
+    "        highp float total = front.a + weight;\n"
+    "        front.a = total > 0.0 ? front.a / total : 0.0;\n"
+    "        weight = 1.0 - front.a;\n"
+    "#endif\n"
+    "        tr_color = vec4(front.a * front.rgb + weight * color, weight * keep);\n"
+    "        return;\n"
+    "    }\n"
+    "#endif\n"
+    "    if (!opaque)\n"
+    "        discard;\n"
+    "    tr_color = vec4(color, keep);\n"
+    "}\n",
+    0};
+static const char *const tr_i_shader_cool_to_warm_glsl[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// Cool-to-warm shading, Gooch 1999, section 3.2 (the model of Gooch 1998): hue carries orientation, so that black is\n"
+    "// left for lines and white for highlights.\n"
+    "//\n"
+    "// normal and light: unit vectors in one space, light points toward the light. cool.a and warm.a say how much of the\n"
+    "// diffuse colour is mixed into the cool and the warm end.\n"
+    "vec3 tr_cool_to_warm(vec3 diffuse, vec3 normal, vec3 light, vec4 cool, vec4 warm)\n"
+    "{\n"
+    "    float warmth = 0.5 + 0.5 * dot(normal, light);\n"
+    "    vec3 cool_end = cool.rgb + cool.a * diffuse;\n"
+    "    vec3 warm_end = warm.rgb + warm.a * diffuse;\n"
+    "    return clamp(mix(cool_end, warm_end, warmth), 0.0, 1.0);\n"
+    "}\n",
+    0};
+static const char *const tr_i_shader_copy_depth_frag[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// A copy of the depths drawn so far, for the lines to read while they write depth themselves.\n"
+    "uniform highp sampler2D tr_scene_depth;\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    gl_FragDepth = texelFetch(tr_scene_depth, ivec2(gl_FragCoord.xy), 0).r;\n"
+    "}\n",
+    0};
+static const char *const tr_i_shader_frame_block_glsl[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// What is the same for all passes of one frame (std140, written by tr_begin).\n"
+    "layout(std140) uniform tr_frame\n"
+    "{\n"
+    "    highp vec4 tr_light;    // xyz: toward the light, unit length, in the space of the normals\n"
+    "    highp vec4 tr_cool;     // rgb, and how much diffuse colour is mixed in\n"
+    "    highp vec4 tr_warm;\n"
+    "    highp vec4 tr_weights;  // x: of opaque things, y: of the background, z: tolerance of lines in pixels\n"
+    "    highp vec4 tr_viewport; // x, y, width, height of the target's viewport\n"
+    "    highp vec4 tr_ink[2];   // rgb: creases; outlines\n"
+    "};\n",
+    0};
+static const char *const tr_i_shader_fullscreen_vert[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// One triangle that covers the viewport; no vertex buffer.\n"
+    "void main()\n"
+    "{\n"
+    "    vec2 corner = vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0);\n"
+    "    gl_Position = vec4(corner, 0.0, 1.0);\n"
+    "}\n",
+    0};
+static const char *const tr_i_shader_line_frag[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// Feature lines: fragment stage.\n"
+    "//\n"
+    "// A line lies on the rim of its own surface: tested pixel by pixel, the surface would eat its inner half. So a line's\n"
+    "// visibility is that of its centre, against the farthest depth around it: on a silhouette one side always lies\n"
+    "// farther, and where something covers the line all sides are nearer.\n"
+    "#if TR_ON_TARGET\n"
+    "#define TR_ORIGIN ivec2(tr_viewport.xy)\n"
+    "#else\n"
+    "#define TR_ORIGIN ivec2(0)\n"
+    "#endif\n"
+    "uniform highp sampler2D tr_scene_depth;\n"
+    "in highp vec4 tr_v_line;\n"
+    "layout(location = 0) out highp vec4 tr_color;\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    ivec2 last = textureSize(tr_scene_depth, 0) - 1;\n"
+    "    ivec2 center = ivec2(floor(tr_v_line.xy));\n"
+    "    highp float tolerance = tr_v_line.w * tr_weights.z;\n"
+    "#ifdef TR_REVERSED_Z\n"
+    "    highp float farthest = 1.0;\n"
+    "#else\n"
+    "    highp float farthest = 0.0;\n"
+    "#endif\n"
+    "    for (int y = -1; y <= 1; ++y) {\n"
+    "        for (int x = -1; x <= 1; ++x) {\n"
+    "            highp float depth = texelFetch(tr_scene_depth, clamp(center + ivec2(x, y), ivec2(0), last), 0).r;\n"
+    "#ifdef TR_REVERSED_Z\n"
+    "            farthest = min(farthest, depth);\n"
+    "#else\n"
+    "            farthest = max(farthest, depth);\n"
+    "#endif\n"
+    "        }\n"
+    "    }\n"
+    "#ifdef TR_REVERSED_Z\n"
+    "    if (tr_v_line.z + tolerance < farthest)\n"
+    "        discard;\n"
+    "#else\n"
+    "    if (tr_v_line.z - tolerance > farthest)\n"
+    "        discard;\n"
+    "#endif\n"
+    "    // The nearer of line and surface: passes the depth test wherever the centre is visible, and hides what comes later.\n"
+    "    ivec2 pixel = ivec2(gl_FragCoord.xy) - TR_ORIGIN;\n"
+    "    highp float surface = texelFetch(tr_scene_depth, clamp(pixel, ivec2(0), last), 0).r;\n"
+    "#ifdef TR_REVERSED_Z\n"
+    "    gl_FragDepth = max(tr_v_line.z, surface);\n"
+    "#else\n"
+    "    gl_FragDepth = min(tr_v_line.z, surface);\n"
+    "#endif\n"
+    "    tr_color = vec4(tr_ink[TR_INK].rgb, 1.0);\n"
+    "}\n",
+    0};
+static const char *const tr_i_shader_line_vert[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// Feature lines as triangles in screen space: vertex stage. The layout is that of a sil_ribbon_vertex.\n"
+    "layout(location = 0) in highp vec4 tr_line_corner; // x, y in pixels, window depth, slack: depth per pixel toward the eye\n"
+    "layout(location = 1) in highp vec2 tr_line_center; // the point of the centre line, pixels\n"
+    "out highp vec4 tr_v_line;                          // centre x, y, depth, slack\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    tr_v_line = vec4(tr_line_center, tr_line_corner.zw);\n"
+    "    // Depth is written by the fragment stage, so the clip convention in force does not matter here.\n"
+    "    gl_Position = vec4(2.0 * tr_line_corner.xy / tr_viewport.zw - 1.0, 0.0, 1.0);\n"
+    "}\n",
+    0};
+static const char *const tr_i_shader_surface_frag[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// Built-in surface program for hosts without shaders of their own: fragment stage.\n"
+    "uniform highp uint tr_object;\n"
+    "#if TR_WANTS_COLOR\n"
+    "in highp vec3 tr_v_normal;\n"
+    "in highp vec4 tr_v_color;\n"
+    "#endif\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "#if TR_WANTS_COLOR\n"
+    "    highp float length_squared = dot(tr_v_normal, tr_v_normal);\n"
+    "    // A missing or cancelled normal shades as if it faced across the light, not as NaN.\n"
+    "    highp vec3 normal = length_squared > 0.0 ? tr_v_normal * inversesqrt(length_squared) : vec3(0.0);\n"
+    "    if (!gl_FrontFacing)\n"
+    "        normal = -normal;\n"
+    "    tr_surface(vec4(tr_cool_to_warm(tr_v_color.rgb, normal, tr_light.xyz, tr_cool, tr_warm), tr_v_color.a), tr_object);\n"
+    "#else\n"
+    "    tr_surface(vec4(0.0), tr_object);\n"
+    "#endif\n"
+    "}\n",
+    0};
+static const char *const tr_i_shader_surface_vert[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// Built-in surface program for hosts without shaders of their own: vertex stage.\n"
+    "layout(location = 0) in highp vec3 tr_position;\n"
+    "layout(location = 1) in highp vec3 tr_normal;\n"
+    "layout(location = 2) in highp float tr_distance; // to the nearest silhouette, see alpha_law.glsl\n"
+    "layout(location = 3) in highp vec3 tr_tint;      // added to the object's colour; an unset attribute reads as 0\n"
+    "\n"
+    "uniform highp mat4 tr_model_view_projection;\n"
+    "#if TR_WANTS_COLOR\n"
+    "uniform highp mat3 tr_normal_matrix;\n"
+    "uniform highp vec4 tr_object_color; // a: alpha on the silhouette\n"
+    "uniform highp vec2 tr_falloff;      // d_max, k of equation 2; d_max = 0 for a constant alpha\n"
+    "out highp vec3 tr_v_normal;\n"
+    "out highp vec4 tr_v_color;\n"
+    "#endif\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "#if TR_WANTS_COLOR\n"
+    "    tr_v_normal = tr_normal_matrix * tr_normal;\n"
+    "    tr_v_color = vec4(tr_object_color.rgb + tr_tint,\n"
+    "                      tr_object_color.a * tr_view_alpha(tr_distance, tr_falloff.x, tr_falloff.y));\n"
+    "#endif\n"
+    "    gl_Position = tr_model_view_projection * vec4(tr_position, 1.0);\n"
+    "}\n",
+    0};
+static const char *const tr_i_shader_surface_rules_glsl[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// Fragment stage. What a surface fragment does in each pass of a sequence: Diepstraten 2002, section 6.1, as amended.\n"
+    "//\n"
+    "// A host's fragment shader calls tr_surface(color, object) once, last, in main. TR_RULE is defined by the preamble.\n"
+    "// Depths are written and compared as the shader sees them (gl_FragCoord.z, stored unrounded in 32-bit float depth), so\n"
+    "// that equality means \"the same fragment\" and no epsilon is needed.\n"
+    "\n"
+    "#define TR_RULE_FRONT 0         // nearest front face: depth only\n"
+    "#define TR_RULE_OWNER 1         // whose it is: the lowest object id among those that tie\n"
+    "#define TR_RULE_LIMIT 2         // where opaque things stop to show: one-sided transparent objects\n"
+    "#define TR_RULE_LIMIT_SHEET 3   // the same for two-sided ones, whose both sides count as front\n"
+    "#define TR_RULE_LIMIT_ALONE 4   // the same for the only transparent object of a scene\n"
+    "#define TR_RULE_OPAQUE 5        // opaque colour\n"
+    "#define TR_RULE_BLENDED 6       // the one transparent fragment of a pixel\n"
+    "#define TR_RULE_BLENDED_ALONE 7 // the same when no other transparent object can tie\n"
+    "\n"
+    "#if TR_WANTS_COLOR // defined by the preamble; where it is 0 color is not read and a host may skip its shading\n"
+    "layout(location = 0) out highp vec4 tr_color;\n"
+    "#endif\n"
+    "\n"
+    "#if TR_RULE != TR_RULE_FRONT && TR_RULE != TR_RULE_OPAQUE\n"
+    "uniform highp sampler2D tr_front_depth;\n"
+    "#endif\n"
+    "#if TR_RULE == TR_RULE_LIMIT || TR_RULE == TR_RULE_LIMIT_SHEET || TR_RULE == TR_RULE_BLENDED\n"
+    "uniform highp sampler2D tr_front_owner;\n"
+    "#endif\n"
+    "\n"
+    "#ifdef TR_REVERSED_Z\n"
+    "#define TR_BEHIND(a, b) ((a) < (b))\n"
+    "#else\n"
+    "#define TR_BEHIND(a, b) ((a) > (b))\n"
+    "#endif\n"
+    "\n"
+    "// Object ids travel as depths: n / 2^24 is exact in a float, and the depth test keeps the lowest.\n"
+    "highp float tr_owner_code(highp uint object)\n"
+    "{\n"
+    "    return float(object) * (1.0 / 16777216.0);\n"
+    "}\n"
+    "\n"
+    "void tr_surface(highp vec4 color, highp uint object)\n"
+    "{\n"
+    "#if TR_RULE == TR_RULE_OPAQUE\n"
+    "    tr_color = vec4(color.rgb, 1.0); // alpha marks \"an opaque thing is here\"\n"
+    "#else\n"
+    "    highp float depth = gl_FragCoord.z;\n"
+    "#if TR_RULE != TR_RULE_FRONT\n"
+    "    ivec2 pixel = ivec2(gl_FragCoord.xy);\n"
+    "    highp float front = texelFetch(tr_front_depth, pixel, 0).r;\n"
+    "#endif\n"
+    "\n"
+    "#if TR_RULE == TR_RULE_OWNER\n"
+    "    if (depth != front)\n"
+    "        discard;\n"
+    "    gl_FragDepth = tr_owner_code(object);\n"
+    "#else\n"
+    "\n"
+    "#if TR_RULE == TR_RULE_LIMIT || TR_RULE == TR_RULE_LIMIT_SHEET || TR_RULE == TR_RULE_BLENDED\n"
+    "    bool owner = texelFetch(tr_front_owner, pixel, 0).r == tr_owner_code(object);\n"
+    "#endif\n"
+    "\n"
+    "#if TR_RULE == TR_RULE_LIMIT\n"
+    "    // A back face limits only what has a front face before it; a front face only if it is another object's.\n"
+    "    if (gl_FrontFacing ? owner || TR_BEHIND(front, depth) : !TR_BEHIND(depth, front))\n"
+    "        discard;\n"
+    "#elif TR_RULE == TR_RULE_LIMIT_SHEET\n"
+    "    if (owner || TR_BEHIND(front, depth))\n"
+    "        discard;\n"
+    "#elif TR_RULE == TR_RULE_LIMIT_ALONE\n"
+    "    if (!TR_BEHIND(depth, front))\n"
+    "        discard;\n"
+    "#elif TR_RULE == TR_RULE_BLENDED\n"
+    "    if (depth != front || !owner)\n"
+    "        discard;\n"
+    "    tr_color = color;\n"
+    "#elif TR_RULE == TR_RULE_BLENDED_ALONE\n"
+    "    if (depth != front)\n"
+    "        discard;\n"
+    "    tr_color = color;\n"
+    "#endif\n"
+    "    gl_FragDepth = depth;\n"
+    "#endif\n"
+    "#endif\n"
+    "}\n",
+    0};
+static const char *const tr_i_shader_surface_vertex_glsl[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// Vertex stage. What every vertex shader of a sequence shares.\n"
+    "//\n"
+    "// Passes compare depths for equality: all programs that draw an object must compute the very same position.\n"
+    "invariant gl_Position;\n",
+    0};
+/* clang-format on */
+/* ==== end of generated shaders ==== */
+/* clang-format on */
+
+/* ---- GL: enumerants and the function table ---------------------------------------------------------------------- */
+
+#define TR_I_GL_ALWAYS 0x0207u
+#define TR_I_GL_BACK 0x0405u
+#define TR_I_GL_BLEND 0x0BE2u
+#define TR_I_GL_BLEND_DST_ALPHA 0x80CAu
+#define TR_I_GL_BLEND_DST_RGB 0x80C8u
+#define TR_I_GL_BLEND_EQUATION_ALPHA 0x883Du
+#define TR_I_GL_BLEND_EQUATION_RGB 0x8009u
+#define TR_I_GL_BLEND_SRC_ALPHA 0x80CBu
+#define TR_I_GL_BLEND_SRC_RGB 0x80C9u
+#define TR_I_GL_CCW 0x0901u
+#define TR_I_GL_CLIP_DISTANCE0 0x3000u
+#define TR_I_GL_COLOR 0x1800u
+#define TR_I_GL_COLOR_ATTACHMENT0 0x8CE0u
+#define TR_I_GL_COLOR_LOGIC_OP 0x0BF2u
+#define TR_I_GL_COLOR_WRITEMASK 0x0C23u
+#define TR_I_GL_COMPILE_STATUS 0x8B81u
+#define TR_I_GL_COPY_WRITE_BUFFER 0x8F37u
+#define TR_I_GL_COPY_WRITE_BUFFER_BINDING 0x8F37u
+#define TR_I_GL_CULL_FACE 0x0B44u
+#define TR_I_GL_CULL_FACE_MODE 0x0B45u
+#define TR_I_GL_CURRENT_PROGRAM 0x8B8Du
+#define TR_I_GL_CW 0x0900u
+#define TR_I_GL_DEPTH 0x1801u
+#define TR_I_GL_DEPTH_ATTACHMENT 0x8D00u
+#define TR_I_GL_DEPTH_CLAMP 0x864Fu
+#define TR_I_GL_DEPTH_COMPONENT 0x1902u
+#define TR_I_GL_DEPTH_COMPONENT32F 0x8CACu
+#define TR_I_GL_DEPTH_FUNC 0x0B74u
+#define TR_I_GL_DEPTH_RANGE 0x0B70u
+#define TR_I_GL_DEPTH_TEST 0x0B71u
+#define TR_I_GL_DEPTH_WRITEMASK 0x0B72u
+#define TR_I_GL_DITHER 0x0BD0u
+#define TR_I_GL_DRAW_FRAMEBUFFER 0x8CA9u
+#define TR_I_GL_DRAW_FRAMEBUFFER_BINDING 0x8CA6u
+#define TR_I_GL_DYNAMIC_DRAW 0x88E8u
+#define TR_I_GL_FILL 0x1B02u
+#define TR_I_GL_FLOAT 0x1406u
+#define TR_I_GL_FRAGMENT_SHADER 0x8B30u
+#define TR_I_GL_FRAMEBUFFER_COMPLETE 0x8CD5u
+#define TR_I_GL_FRONT 0x0404u
+#define TR_I_GL_FRONT_AND_BACK 0x0408u
+#define TR_I_GL_FRONT_FACE 0x0B46u
+#define TR_I_GL_FUNC_ADD 0x8006u
+#define TR_I_GL_GEQUAL 0x0206u
+#define TR_I_GL_GREATER 0x0204u
+#define TR_I_GL_INVALID_INDEX 0xFFFFFFFFu
+#define TR_I_GL_LEQUAL 0x0203u
+#define TR_I_GL_LESS 0x0201u
+#define TR_I_GL_LINK_STATUS 0x8B82u
+#define TR_I_GL_MAX_CLIP_DISTANCES 0x0D32u
+#define TR_I_GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS 0x8B4Du
+#define TR_I_GL_MAX_DRAW_BUFFERS 0x8824u
+#define TR_I_GL_MAX_TEXTURE_SIZE 0x0D33u
+#define TR_I_GL_MAX_UNIFORM_BUFFER_BINDINGS 0x8A2Fu
+#define TR_I_GL_NEAREST 0x2600
+#define TR_I_GL_CLAMP_TO_EDGE 0x812F
+#define TR_I_GL_ONE 1u
+#define TR_I_GL_PIXEL_UNPACK_BUFFER 0x88ECu
+#define TR_I_GL_PIXEL_UNPACK_BUFFER_BINDING 0x88EFu
+#define TR_I_GL_POLYGON_MODE 0x0B40u
+#define TR_I_GL_POLYGON_OFFSET_FILL 0x8037u
+#define TR_I_GL_RASTERIZER_DISCARD 0x8C89u
+#define TR_I_GL_READ_FRAMEBUFFER 0x8CA8u
+#define TR_I_GL_READ_FRAMEBUFFER_BINDING 0x8CAAu
+#define TR_I_GL_RGBA 0x1908u
+#define TR_I_GL_RGBA8 0x8058u
+#define TR_I_GL_SAMPLER_BINDING 0x8919u
+#define TR_I_GL_SAMPLES 0x80A9u
+#define TR_I_GL_SAMPLE_ALPHA_TO_COVERAGE 0x809Eu
+#define TR_I_GL_SAMPLE_COVERAGE 0x80A0u
+#define TR_I_GL_SAMPLE_MASK 0x8E51u
+#define TR_I_GL_SCISSOR_TEST 0x0C11u
+#define TR_I_GL_SRC_ALPHA 0x0302u
+#define TR_I_GL_STENCIL_TEST 0x0B90u
+#define TR_I_GL_TEXTURE0 0x84C0u
+#define TR_I_GL_TEXTURE_2D 0x0DE1u
+#define TR_I_GL_TEXTURE_BINDING_2D 0x8069u
+#define TR_I_GL_TEXTURE_MAG_FILTER 0x2800u
+#define TR_I_GL_TEXTURE_MIN_FILTER 0x2801u
+#define TR_I_GL_TEXTURE_WRAP_S 0x2802u
+#define TR_I_GL_TEXTURE_WRAP_T 0x2803u
+#define TR_I_GL_TRIANGLES 0x0004u
+#define TR_I_GL_UNIFORM_BUFFER 0x8A11u
+#define TR_I_GL_UNIFORM_BUFFER_BINDING 0x8A28u
+#define TR_I_GL_UNIFORM_BUFFER_SIZE 0x8A2Au
+#define TR_I_GL_UNIFORM_BUFFER_START 0x8A29u
+#define TR_I_GL_UNSIGNED_BYTE 0x1401u
+#define TR_I_GL_ACTIVE_TEXTURE 0x84E0u
+#define TR_I_GL_VERSION 0x1F02u
+#define TR_I_GL_VERTEX_ARRAY_BINDING 0x85B5u
+#define TR_I_GL_VERTEX_SHADER 0x8B31u
+#define TR_I_GL_VIEWPORT 0x0BA2u
+#define TR_I_GL_ZERO 0u
+
+typedef uint32_t tr_i_u;
+typedef const char *const *tr_i_strings;
+
+/* X(result type, name without gl, parameters). Sizes of GL types: GLenum, GLuint, GLbitfield 32 bits unsigned, GLint,
+   GLsizei 32 bits signed, GLboolean, GLubyte unsigned char, GLsizeiptr pointer-sized. */
+#define TR_I_GL_REQUIRED(X)                                                                                            \
+    X(void, ActiveTexture, (tr_i_u))                                                                                   \
+    X(void, AttachShader, (tr_i_u, tr_i_u))                                                                            \
+    X(void, BindBuffer, (tr_i_u, tr_i_u))                                                                              \
+    X(void, BindBufferBase, (tr_i_u, tr_i_u, tr_i_u))                                                                  \
+    X(void, BindBufferRange, (tr_i_u, tr_i_u, tr_i_u, ptrdiff_t, ptrdiff_t))                                           \
+    X(void, BindFramebuffer, (tr_i_u, tr_i_u))                                                                         \
+    X(void, BindSampler, (tr_i_u, tr_i_u))                                                                             \
+    X(void, BindTexture, (tr_i_u, tr_i_u))                                                                             \
+    X(void, BindVertexArray, (tr_i_u))                                                                                 \
+    X(void, BlendEquationSeparate, (tr_i_u, tr_i_u))                                                                   \
+    X(void, BlendFuncSeparate, (tr_i_u, tr_i_u, tr_i_u, tr_i_u))                                                       \
+    X(void, BufferData, (tr_i_u, ptrdiff_t, const void *, tr_i_u))                                                     \
+    X(void, BufferSubData, (tr_i_u, ptrdiff_t, ptrdiff_t, const void *))                                               \
+    X(tr_i_u, CheckFramebufferStatus, (tr_i_u))                                                                        \
+    X(void, ClearBufferfv, (tr_i_u, int32_t, const float *))                                                           \
+    X(void, ColorMask, (unsigned char, unsigned char, unsigned char, unsigned char))                                   \
+    X(void, CompileShader, (tr_i_u))                                                                                   \
+    X(tr_i_u, CreateProgram, (void))                                                                                   \
+    X(tr_i_u, CreateShader, (tr_i_u))                                                                                  \
+    X(void, CullFace, (tr_i_u))                                                                                        \
+    X(void, DeleteBuffers, (int32_t, const tr_i_u *))                                                                  \
+    X(void, DeleteFramebuffers, (int32_t, const tr_i_u *))                                                             \
+    X(void, DeleteProgram, (tr_i_u))                                                                                   \
+    X(void, DeleteShader, (tr_i_u))                                                                                    \
+    X(void, DeleteTextures, (int32_t, const tr_i_u *))                                                                 \
+    X(void, DeleteVertexArrays, (int32_t, const tr_i_u *))                                                             \
+    X(void, DepthFunc, (tr_i_u))                                                                                       \
+    X(void, DepthMask, (unsigned char))                                                                                \
+    X(void, Disable, (tr_i_u))                                                                                         \
+    X(void, DrawArrays, (tr_i_u, int32_t, int32_t))                                                                    \
+    X(void, DrawBuffers, (int32_t, const tr_i_u *))                                                                    \
+    X(void, Enable, (tr_i_u))                                                                                          \
+    X(void, FramebufferTexture2D, (tr_i_u, tr_i_u, tr_i_u, tr_i_u, int32_t))                                           \
+    X(void, FrontFace, (tr_i_u))                                                                                       \
+    X(void, GenBuffers, (int32_t, tr_i_u *))                                                                           \
+    X(void, GenFramebuffers, (int32_t, tr_i_u *))                                                                      \
+    X(void, GenTextures, (int32_t, tr_i_u *))                                                                          \
+    X(void, GenVertexArrays, (int32_t, tr_i_u *))                                                                      \
+    X(void, GetBooleanv, (tr_i_u, unsigned char *))                                                                    \
+    X(void, GetFloatv, (tr_i_u, float *))                                                                              \
+    X(void, GetInteger64i_v, (tr_i_u, tr_i_u, int64_t *))                                                              \
+    X(void, GetIntegeri_v, (tr_i_u, tr_i_u, int32_t *))                                                                \
+    X(void, GetIntegerv, (tr_i_u, int32_t *))                                                                          \
+    X(void, GetProgramInfoLog, (tr_i_u, int32_t, int32_t *, char *))                                                   \
+    X(void, GetProgramiv, (tr_i_u, tr_i_u, int32_t *))                                                                 \
+    X(void, GetShaderInfoLog, (tr_i_u, int32_t, int32_t *, char *))                                                    \
+    X(void, GetShaderiv, (tr_i_u, tr_i_u, int32_t *))                                                                  \
+    X(const unsigned char *, GetString, (tr_i_u))                                                                      \
+    X(tr_i_u, GetUniformBlockIndex, (tr_i_u, const char *))                                                            \
+    X(int32_t, GetUniformLocation, (tr_i_u, const char *))                                                             \
+    X(unsigned char, IsEnabled, (tr_i_u))                                                                              \
+    X(unsigned char, IsProgram, (tr_i_u))                                                                              \
+    X(void, LinkProgram, (tr_i_u))                                                                                     \
+    X(void, ReadBuffer, (tr_i_u))                                                                                      \
+    X(void, ShaderSource, (tr_i_u, int32_t, const char *const *, const int32_t *))                                     \
+    X(void, TexImage2D, (tr_i_u, int32_t, int32_t, int32_t, int32_t, int32_t, tr_i_u, tr_i_u, const void *))           \
+    X(void, TexParameteri, (tr_i_u, tr_i_u, int32_t))                                                                  \
+    X(void, Uniform1i, (int32_t, int32_t))                                                                             \
+    X(void, Uniform1ui, (int32_t, tr_i_u))                                                                             \
+    X(void, Uniform2f, (int32_t, float, float))                                                                        \
+    X(void, Uniform4fv, (int32_t, int32_t, const float *))                                                             \
+    X(void, UniformBlockBinding, (tr_i_u, tr_i_u, tr_i_u))                                                             \
+    X(void, UniformMatrix3fv, (int32_t, int32_t, unsigned char, const float *))                                        \
+    X(void, UniformMatrix4fv, (int32_t, int32_t, unsigned char, const float *))                                        \
+    X(void, UseProgram, (tr_i_u))                                                                                      \
+    X(void, Viewport, (int32_t, int32_t, int32_t, int32_t))
+
+/* Desktop GL 3.3. */
+#define TR_I_GL_DESKTOP(X)                                                                                             \
+    X(void, DepthRange, (double, double))                                                                              \
+    X(void, PolygonMode, (tr_i_u, tr_i_u))
+
+/* Desktop GL 3.3 and ES 3.2: masks and switches by draw buffer. */
+#define TR_I_GL_INDEXED(X)                                                                                             \
+    X(void, ColorMaski, (tr_i_u, unsigned char, unsigned char, unsigned char, unsigned char))                          \
+    X(void, Disablei, (tr_i_u, tr_i_u))                                                                                \
+    X(void, Enablei, (tr_i_u, tr_i_u))                                                                                 \
+    X(void, GetBooleani_v, (tr_i_u, tr_i_u, unsigned char *))                                                          \
+    X(unsigned char, IsEnabledi, (tr_i_u, tr_i_u))
+
+/* Desktop GL 4.0 and ES 3.2: blend functions by draw buffer. */
+#define TR_I_GL_INDEXED_BLEND(X)                                                                                       \
+    X(void, BlendEquationSeparatei, (tr_i_u, tr_i_u, tr_i_u))                                                          \
+    X(void, BlendFuncSeparatei, (tr_i_u, tr_i_u, tr_i_u, tr_i_u, tr_i_u))
+
+#define TR_I_GL_ES(X) X(void, DepthRangef, (float, float))
+
+typedef struct tr_i_gl {
+#define TR_I_MEMBER(type, name, parameters) type(TR_I_GLAPI *name) parameters;
+    TR_I_GL_REQUIRED(TR_I_MEMBER)
+    TR_I_GL_DESKTOP(TR_I_MEMBER)
+    TR_I_GL_INDEXED(TR_I_MEMBER)
+    TR_I_GL_INDEXED_BLEND(TR_I_MEMBER)
+    TR_I_GL_ES(TR_I_MEMBER)
+#undef TR_I_MEMBER
+} tr_i_gl;
+
+/* ---- the context ------------------------------------------------------------------------------------------------ */
+
+/* Textures by what they hold, and by the unit (plus first_texture_unit) that they are read from. The depth that opaque
+   things and lines are drawn into and the depth that lines and the composition read are two names for one or two
+   textures: see tr_i_scene_depth. */
+enum {
+    TR_I_FRONT_DEPTH,  /* of the nearest transparent front face */
+    TR_I_FRONT_OWNER,  /* its object's id, as a depth */
+    TR_I_SCENE_DEPTH,  /* limit, then opaque things, then the front-most transparent surface */
+    TR_I_OPAQUE_COLOR, /* alpha 1 where an opaque thing is */
+    TR_I_LAYER_COLOR,  /* the front-most transparent surface */
+    TR_I_DEPTH_COPY,   /* of SCENE_DEPTH, read by opaque lines in its place */
+    TR_I_TEXTURE_COUNT
+};
+#define TR_I_UNIT_COUNT 5
+
+/* Framebuffers, by the textures attached. */
+enum { TR_I_FBO_FRONT, TR_I_FBO_OWNER, TR_I_FBO_LIMIT, TR_I_FBO_OPAQUE, TR_I_FBO_LAYER, TR_I_FBO_COPY, TR_I_FBO_COUNT };
+
+/* Built-in programs. */
+enum {
+    TR_I_PROGRAM_SURFACE, /* one a rule */
+    TR_I_PROGRAM_COPY_DEPTH = TR_I_PROGRAM_SURFACE + TR_RULE_COUNT,
+    TR_I_PROGRAM_COMPOSE,                         /* opaque things only; layer by blending; both by blending */
+    TR_I_PROGRAM_LINE = TR_I_PROGRAM_COMPOSE + 7, /* creases, outlines; the same on the target */
+    TR_I_PROGRAM_COUNT = TR_I_PROGRAM_LINE + 4
+};
+
+typedef struct tr_i_program {
+    tr_i_u name; /* 0: not yet made */
+    int32_t model_view_projection, normal_matrix, color, falloff, object;
+} tr_i_program;
+
+/* The uniform block tr_frame of shaders/frame_block.glsl, std140. */
+typedef struct tr_i_block {
+    float light[4], cool[4], warm[4], weights[4], viewport[4], ink[2][4];
+} tr_i_block;
+
+#define TR_I_MAX_DRAW_BUFFERS 8
+#define TR_I_MAX_CLIP_DISTANCES 8
+#define TR_I_CAP_COUNT 12
+
+/* State that a frame changes: exactly what TR_STATE_RESTORE puts back. */
+typedef struct tr_i_snapshot {
+    int32_t program, vertex_array, draw_framebuffer, read_framebuffer, viewport[4];
+    unsigned char caps[TR_I_CAP_COUNT], clip_distances[TR_I_MAX_CLIP_DISTANCES];
+    unsigned char depth_mask, color_masks[TR_I_MAX_DRAW_BUFFERS][4], blend;
+    int32_t depth_func, cull_mode, front_face, polygon_mode[2];
+    float depth_range[2];
+    int32_t blend_func[4], blend_equation[2];
+    int32_t active_texture, textures[TR_I_UNIT_COUNT], samplers[TR_I_UNIT_COUNT];
+    int32_t uniform_buffer, indexed_buffer, copy_buffer, unpack_buffer;
+    int64_t indexed_start, indexed_size;
+} tr_i_snapshot;
+
+#define TR_I_MAX_STRINGS 48
+
+struct tr_context {
+    tr_desc desc;
+    tr_i_gl gl;
+    int es, version, has_indexed, has_indexed_blend, draw_buffers, clip_distances;
+    int32_t max_texture_size;
+    const char *strings[TR_STAGE_COUNT][TR_RULE_COUNT][TR_I_MAX_STRINGS];
+    int string_count[TR_STAGE_COUNT][TR_RULE_COUNT];
+    tr_i_program programs[TR_I_PROGRAM_COUNT];
+    tr_i_u textures[TR_I_TEXTURE_COUNT], fbos[TR_I_FBO_COUNT];
+    int width, height; /* of the textures */
+    tr_i_u vertex_array, uniform_buffer;
+    tr_i_block block; /* as uploaded */
+    int block_uploaded;
+    tr_i_snapshot saved;
+    tr_frame frame;
+    tr_plan plan;
+    int next_pass;      /* of the plan */
+    int in_frame;
+};
+
+/* ---- text without stdio ----------------------------------------------------------------------------------------- */
+
+typedef struct tr_i_text {
+    char *at;
+    size_t capacity, length;
+} tr_i_text;
+
+static void tr_i_put(tr_i_text *text, const char *string)
+{
+    for (; *string; ++string) {
+        if (text->length + 1 < text->capacity)
+            text->at[text->length] = *string;
+        ++text->length;
+    }
+    if (text->capacity)
+        text->at[text->length < text->capacity ? text->length : text->capacity - 1] = 0;
+}
+
+static void tr_i_put_number(tr_i_text *text, uint64_t number)
+{
+    char digits[21];
+    int at = 20;
+    digits[20] = 0;
+    do {
+        digits[--at] = (char)('0' + (int)(number % 10));
+        number /= 10;
+    } while (number);
+    tr_i_put(text, digits + at);
+}
+
+static tr_i_text tr_i_text_in(char *at, size_t capacity)
+{
+    tr_i_text text;
+    text.at = at;
+    text.capacity = capacity;
+    text.length = 0;
+    if (capacity)
+        at[0] = 0;
+    return text;
+}
+
+static void tr_i_log(const tr_desc *desc, tr_log_level level, tr_result code, const char *what, const char *detail)
+{
+    char buffer[2400];
+    tr_i_text text = tr_i_text_in(buffer, sizeof buffer);
+    if (!desc->log_fn)
+        return;
+    tr_i_put(&text, "transparency: ");
+    tr_i_put(&text, what);
+    if (detail) {
+        tr_i_put(&text, ": ");
+        tr_i_put(&text, detail);
+    }
+    desc->log_fn(level, code, buffer, desc->log_user);
+}
+
+static tr_result tr_i_fail(const tr_desc *desc, tr_result code, const char *detail)
+{
+    tr_i_log(desc, TR_LOG_ERROR, code, tr_result_string(code), detail);
+    return code;
+}
+
+/* ---- plans ------------------------------------------------------------------------------------------------------ */
+
+TR_I_API const char *tr_result_string(tr_result result)
+{
+    static const char *const texts[] = {
+#define TR_I_TEXT(name, text) text,
+        TR_RESULTS(TR_I_TEXT)
+#undef TR_I_TEXT
+    };
+    return (unsigned)result < (unsigned)TR_RESULT_COUNT ? texts[result] : "unknown result";
+}
+
+TR_I_API const char *tr_pass_kind_name(tr_pass_kind kind)
+{
+    static const char *const names[] = {"front",        "owner",   "limit",   "opaque",           "copy depth",
+                                        "opaque lines", "blended", "compose", "transparent lines"};
+    return (unsigned)kind < (unsigned)TR_PASS_KIND_COUNT ? names[kind] : "unknown pass";
+}
+
+TR_I_API tr_scene tr_scene_count(const void *objects, size_t count, size_t stride)
+{
+    tr_scene scene = {0, 0, 0, 0};
+    size_t i;
+    for (i = 0; objects && i < count; ++i) {
+        tr_object object;
+        memcpy(&object, (const char *)objects + i * stride, sizeof object);
+        switch (object.flags & (TR_TRANSPARENT | TR_TWO_SIDED)) {
+        case TR_OPAQUE: ++scene.opaque; break;
+        case TR_TWO_SIDED: ++scene.opaque_two_sided; break;
+        case TR_TRANSPARENT: ++scene.transparent; break;
+        default: ++scene.transparent_two_sided; break;
+        }
+    }
+    return scene;
+}
+
+#define TR_I_CLASS(flags) (1u << (flags))
+#define TR_I_ALL_OPAQUE (TR_I_CLASS(TR_OPAQUE) | TR_I_CLASS(TR_TWO_SIDED))
+#define TR_I_ALL_TRANSPARENT (TR_I_CLASS(TR_TRANSPARENT) | TR_I_CLASS(TR_TRANSPARENT | TR_TWO_SIDED))
+
+static tr_plan_pass *tr_i_add_pass(tr_plan *plan, tr_pass_kind kind, const char *why)
+{
+    tr_plan_pass *pass = &plan->passes[plan->pass_count];
+    memset(pass, 0, sizeof *pass);
+    pass->kind = kind;
+    pass->why = why;
+    ++plan->pass_count;
+    return pass;
+}
+
+/* One pass for closed objects, back faces culled, and one for sheets, if there are any. */
+static void tr_i_add_surfaces(tr_plan *plan, tr_pass_kind kind, tr_rule rule, uint32_t closed, uint32_t sheets,
+                              uint32_t flags, const char *why)
+{
+    tr_plan_pass *pass;
+    if (closed) {
+        pass = tr_i_add_pass(plan, kind, why);
+        pass->rule = rule;
+        pass->classes = TR_I_CLASS(flags);
+        pass->cull = 1;
+    }
+    if (sheets) {
+        pass = tr_i_add_pass(plan, kind, why);
+        pass->rule = rule;
+        pass->classes = TR_I_CLASS(flags | TR_TWO_SIDED);
+    }
+}
+
+static void tr_i_add_lines(tr_plan *plan, tr_pass_kind kind, uint32_t lines, uint32_t classes)
+{
+    static const char *const why[2] = {"creases first: outlines are drawn over them", "outlines over surfaces and creases"};
+    uint32_t i;
+    for (i = 0; i < 2; ++i) {
+        if (lines & (1u << i)) {
+            tr_plan_pass *pass = tr_i_add_pass(plan, kind, why[i]);
+            pass->lines = 1u << i;
+            pass->classes = classes;
+        }
+    }
+}
+
+/* Where opaque things stop to show: SCENE_DEPTH before anything opaque is drawn into it. */
+static void tr_i_add_limit(tr_plan *plan, const tr_scene *scene, const tr_wishes *wishes, int alone)
+{
+    tr_plan_pass *pass;
+    int published = wishes->interior == TR_INTERIOR_IMPLICIT_PUBLISHED;
+    if (scene->transparent) {
+        pass = tr_i_add_pass(plan, TR_PASS_LIMIT,
+                             published ? "published: the nearest back face of all"
+                             : alone   ? "back faces behind the front-most face"
+                                       : "back faces, and fronts of other objects, behind the front-most face");
+        pass->rule = published ? TR_RULE_FRONT : alone ? TR_RULE_LIMIT_ALONE : TR_RULE_LIMIT;
+        pass->classes = TR_I_CLASS(TR_TRANSPARENT);
+        pass->cull = published || alone ? 2 : 0;
+    }
+    if (scene->transparent_two_sided && !published && !alone) {
+        pass = tr_i_add_pass(plan, TR_PASS_LIMIT, "sheets of other objects behind the front-most face");
+        pass->rule = TR_RULE_LIMIT_SHEET;
+        pass->classes = TR_I_CLASS(TR_TRANSPARENT | TR_TWO_SIDED);
+    }
+}
+
+/* Which textures each kind of pass draws into; who clears them; what they weigh. */
+static void tr_i_plan_textures(tr_plan *plan)
+{
+    static const uint32_t by_kind[TR_PASS_KIND_COUNT] = {1u << TR_I_FRONT_DEPTH,
+                                                         1u << TR_I_FRONT_OWNER,
+                                                         1u << TR_I_SCENE_DEPTH,
+                                                         (1u << TR_I_SCENE_DEPTH) | (1u << TR_I_OPAQUE_COLOR),
+                                                         1u << TR_I_DEPTH_COPY,
+                                                         (1u << TR_I_SCENE_DEPTH) | (1u << TR_I_OPAQUE_COLOR),
+                                                         (1u << TR_I_SCENE_DEPTH) | (1u << TR_I_LAYER_COLOR),
+                                                         0,
+                                                         0};
+    static const uint32_t depths = (1u << TR_I_FRONT_DEPTH) | (1u << TR_I_FRONT_OWNER) | (1u << TR_I_SCENE_DEPTH);
+    int i;
+    for (i = 0; i < plan->pass_count; ++i) {
+        tr_plan_pass *pass = &plan->passes[i];
+        uint32_t fresh = by_kind[pass->kind] & ~plan->textures;
+        pass->clear_depth = (fresh & depths) != 0;
+        /* The copy is written, and the layer read, in full only where something was drawn: neither needs a clear. */
+        pass->clear_color = (fresh & (1u << TR_I_OPAQUE_COLOR)) != 0;
+        plan->textures |= fresh;
+    }
+    for (i = 0; i < TR_I_TEXTURE_COUNT; ++i)
+        plan->bytes_per_pixel += 4 * ((plan->textures >> i) & 1u);
+}
+
+TR_I_API tr_result tr_plan_make(const tr_scene *scene, const tr_wishes *wishes, tr_plan *plan)
+{
+    uint32_t transparent, opaque;
+    int alone;
+    if (!scene || !wishes || !plan || (unsigned)wishes->interior > TR_INTERIOR_IMPLICIT_PUBLISHED ||
+        (unsigned)wishes->blending > TR_BLENDING_PUBLISHED || wishes->lines > (TR_LINES_CREASES | TR_LINES_OUTLINES))
+        return TR_INVALID_ARGUMENT;
+    memset(plan, 0, sizeof *plan);
+    transparent = scene->transparent || scene->transparent_two_sided;
+    opaque = scene->opaque || scene->opaque_two_sided;
+    /* Counts may be large enough to wrap when added; either being over one rules "alone" out. */
+    alone = scene->transparent <= 1 && scene->transparent_two_sided <= 1 &&
+            scene->transparent + scene->transparent_two_sided == 1;
+    if (!transparent && !opaque)
+        return TR_OK;
+    if (transparent) {
+        tr_i_add_surfaces(plan, TR_PASS_FRONT, TR_RULE_FRONT, scene->transparent, scene->transparent_two_sided,
+                          TR_TRANSPARENT, "transparent objects: the front-most face alone is blended");
+        if (!alone)
+            tr_i_add_surfaces(plan, TR_PASS_OWNER, TR_RULE_OWNER, scene->transparent, scene->transparent_two_sided,
+                              TR_TRANSPARENT, "several transparent objects: faces may tie, and limit each other");
+    }
+    /* Without an opaque thing nothing can be seen through a surface but the background, whatever the limit. */
+    if (transparent && opaque)
+        tr_i_add_limit(plan, scene, wishes, alone);
+    else if (transparent && wishes->interior == TR_INTERIOR_IMPLICIT_PUBLISHED)
+        tr_i_add_limit(plan, scene, wishes, alone); /* published: back faces hide front faces too */
+    tr_i_add_surfaces(plan, TR_PASS_OPAQUE, TR_RULE_OPAQUE, scene->opaque, scene->opaque_two_sided, TR_OPAQUE,
+                      "opaque objects before the limit");
+    if (opaque && wishes->lines) {
+        tr_i_add_pass(plan, TR_PASS_COPY_DEPTH, "opaque lines read the depth that they write");
+        tr_i_add_lines(plan, TR_PASS_OPAQUE_LINES, wishes->lines, TR_I_ALL_OPAQUE);
+    }
+    if (transparent)
+        tr_i_add_surfaces(plan, TR_PASS_BLENDED, alone ? TR_RULE_BLENDED_ALONE : TR_RULE_BLENDED, scene->transparent,
+                          scene->transparent_two_sided, TR_TRANSPARENT, "the front-most transparent face");
+    tr_i_add_pass(plan, TR_PASS_COMPOSE, "the layer over what is behind it, into the target");
+    if (transparent)
+        tr_i_add_lines(plan, TR_PASS_TRANSPARENT_LINES, wishes->lines, TR_I_ALL_TRANSPARENT);
+    tr_i_plan_textures(plan);
+    return TR_OK;
+}
+
+TR_I_API size_t tr_plan_print(const tr_plan *plan, char *string, size_t capacity)
+{
+    static const char *const classes[4] = {"opaque", "transparent", "opaque two-sided", "transparent two-sided"};
+    tr_i_text text = tr_i_text_in(string, string ? capacity : 0);
+    int i, c;
+    for (i = 0; plan && i < plan->pass_count; ++i) {
+        const tr_plan_pass *pass = &plan->passes[i];
+        const char *separator = " [";
+        tr_i_put_number(&text, (uint64_t)i + 1);
+        tr_i_put(&text, ". ");
+        tr_i_put(&text, tr_pass_kind_name(pass->kind));
+        for (c = 0; c < 4; ++c) {
+            if (pass->classes & (1u << c)) {
+                tr_i_put(&text, separator);
+                tr_i_put(&text, classes[c]);
+                separator = ", ";
+            }
+        }
+        tr_i_put(&text, pass->classes ? "]: " : ": ");
+        tr_i_put(&text, pass->why);
+        tr_i_put(&text, "\n");
+    }
+    tr_i_put_number(&text, plan ? plan->bytes_per_pixel : 0);
+    tr_i_put(&text, " bytes a pixel\n");
+    return text.length;
+}
+
+TR_I_API float tr_view_alpha(float d, float d_max, float k)
+{
+    float ratio, alpha;
+    if (!(d > 0.0f) || !(d_max > 0.0f))
+        return 1.0f;
+    if (!(d < d_max))
+        return 0.0f;
+    ratio = d / d_max;
+    if (ratio < 1.0e-30f)
+        ratio = 1.0e-30f;
+    alpha = 1.0f - (float)pow((double)ratio, (double)(k > 0.0f ? k : 0.0f));
+    return alpha < 0.0f ? 0.0f : alpha > 1.0f ? 1.0f : alpha;
+}
+
+/* ---- state: saved, set, restored -------------------------------------------------------------------------------- */
+
+/* Switches that every pass wants off, with the first version that has them (0: never). Depth test and cull face, which
+   passes set, come last. */
+typedef struct tr_i_cap {
+    tr_i_u name;
+    int desktop, es;
+} tr_i_cap;
+
+static const tr_i_cap tr_i_caps[TR_I_CAP_COUNT] = {
+    {TR_I_GL_STENCIL_TEST, 330, 300},        {TR_I_GL_SCISSOR_TEST, 330, 300},
+    {TR_I_GL_DITHER, 330, 300},              {TR_I_GL_POLYGON_OFFSET_FILL, 330, 300},
+    {TR_I_GL_SAMPLE_ALPHA_TO_COVERAGE, 330, 300}, {TR_I_GL_SAMPLE_COVERAGE, 330, 300},
+    {TR_I_GL_RASTERIZER_DISCARD, 330, 300},  {TR_I_GL_COLOR_LOGIC_OP, 330, 0},
+    {TR_I_GL_DEPTH_CLAMP, 330, 0},           {TR_I_GL_SAMPLE_MASK, 330, 310},
+    {TR_I_GL_DEPTH_TEST, 330, 300},          {TR_I_GL_CULL_FACE, 330, 300},
+};
+#define TR_I_CAPS_OFF 10
+
+static int tr_i_has_cap(const tr_context *tr, int index)
+{
+    int since = tr->es ? tr_i_caps[index].es : tr_i_caps[index].desktop;
+    return since != 0 && tr->version >= since;
+}
+
+static void tr_i_switch(const tr_context *tr, tr_i_u cap, int on)
+{
+    if (on)
+        tr->gl.Enable(cap);
+    else
+        tr->gl.Disable(cap);
+}
+
+static void tr_i_save_blend(const tr_context *tr, tr_i_snapshot *saved)
+{
+    static const tr_i_u names[6] = {TR_I_GL_BLEND_SRC_RGB,   TR_I_GL_BLEND_DST_RGB,      TR_I_GL_BLEND_SRC_ALPHA,
+                                    TR_I_GL_BLEND_DST_ALPHA, TR_I_GL_BLEND_EQUATION_RGB, TR_I_GL_BLEND_EQUATION_ALPHA};
+    int i;
+    for (i = 0; i < 6; ++i) {
+        int32_t *value = i < 4 ? &saved->blend_func[i] : &saved->blend_equation[i - 4];
+        if (tr->has_indexed_blend)
+            tr->gl.GetIntegeri_v(names[i], 0, value);
+        else
+            tr->gl.GetIntegerv(names[i], value);
+    }
+    saved->blend = tr->has_indexed ? tr->gl.IsEnabledi(TR_I_GL_BLEND, 0) : tr->gl.IsEnabled(TR_I_GL_BLEND);
+    for (i = 0; i < tr->draw_buffers; ++i) {
+        if (tr->has_indexed)
+            tr->gl.GetBooleani_v(TR_I_GL_COLOR_WRITEMASK, (tr_i_u)i, saved->color_masks[i]);
+        else
+            tr->gl.GetBooleanv(TR_I_GL_COLOR_WRITEMASK, saved->color_masks[i]);
+    }
+}
+
+static void tr_i_save_bindings(const tr_context *tr, tr_i_snapshot *saved)
+{
+    const tr_i_gl *gl = &tr->gl;
+    tr_i_u binding = (tr_i_u)tr->desc.uniform_binding;
+    int i;
+    gl->GetIntegerv(TR_I_GL_CURRENT_PROGRAM, &saved->program);
+    gl->GetIntegerv(TR_I_GL_VERTEX_ARRAY_BINDING, &saved->vertex_array);
+    gl->GetIntegerv(TR_I_GL_DRAW_FRAMEBUFFER_BINDING, &saved->draw_framebuffer);
+    gl->GetIntegerv(TR_I_GL_READ_FRAMEBUFFER_BINDING, &saved->read_framebuffer);
+    gl->GetIntegerv(TR_I_GL_UNIFORM_BUFFER_BINDING, &saved->uniform_buffer);
+    gl->GetIntegerv(TR_I_GL_COPY_WRITE_BUFFER_BINDING, &saved->copy_buffer);
+    gl->GetIntegerv(TR_I_GL_PIXEL_UNPACK_BUFFER_BINDING, &saved->unpack_buffer);
+    gl->GetIntegeri_v(TR_I_GL_UNIFORM_BUFFER_BINDING, binding, &saved->indexed_buffer);
+    gl->GetInteger64i_v(TR_I_GL_UNIFORM_BUFFER_START, binding, &saved->indexed_start);
+    gl->GetInteger64i_v(TR_I_GL_UNIFORM_BUFFER_SIZE, binding, &saved->indexed_size);
+    gl->GetIntegerv(TR_I_GL_ACTIVE_TEXTURE, &saved->active_texture);
+    for (i = 0; i < TR_I_UNIT_COUNT; ++i) {
+        gl->ActiveTexture(TR_I_GL_TEXTURE0 + (tr_i_u)(tr->desc.first_texture_unit + i));
+        gl->GetIntegerv(TR_I_GL_TEXTURE_BINDING_2D, &saved->textures[i]);
+        gl->GetIntegerv(TR_I_GL_SAMPLER_BINDING, &saved->samplers[i]);
+    }
+    gl->ActiveTexture((tr_i_u)saved->active_texture);
+}
+
+static void tr_i_save(const tr_context *tr, tr_i_snapshot *saved)
+{
+    const tr_i_gl *gl = &tr->gl;
+    int i;
+    memset(saved, 0, sizeof *saved);
+    tr_i_save_bindings(tr, saved);
+    tr_i_save_blend(tr, saved);
+    for (i = 0; i < TR_I_CAP_COUNT; ++i)
+        if (tr_i_has_cap(tr, i))
+            saved->caps[i] = gl->IsEnabled(tr_i_caps[i].name);
+    for (i = 0; i < tr->clip_distances; ++i)
+        saved->clip_distances[i] = gl->IsEnabled(TR_I_GL_CLIP_DISTANCE0 + (tr_i_u)i);
+    gl->GetIntegerv(TR_I_GL_VIEWPORT, saved->viewport);
+    gl->GetBooleanv(TR_I_GL_DEPTH_WRITEMASK, &saved->depth_mask);
+    gl->GetIntegerv(TR_I_GL_DEPTH_FUNC, &saved->depth_func);
+    gl->GetFloatv(TR_I_GL_DEPTH_RANGE, saved->depth_range);
+    gl->GetIntegerv(TR_I_GL_CULL_FACE_MODE, &saved->cull_mode);
+    gl->GetIntegerv(TR_I_GL_FRONT_FACE, &saved->front_face);
+    if (!tr->es)
+        gl->GetIntegerv(TR_I_GL_POLYGON_MODE, saved->polygon_mode);
+}
+
+/* What a fresh context would have saved, for TR_STATE_LEAVE_DEFAULTS. */
+static void tr_i_save_defaults(const tr_context *tr, tr_i_snapshot *saved)
+{
+    memset(saved, 0, sizeof *saved);
+    memset(saved->color_masks, 1, sizeof saved->color_masks);
+    memcpy(saved->viewport, tr->saved.viewport, sizeof saved->viewport);
+    saved->caps[2] = 1; /* dither */
+    saved->depth_mask = 1;
+    saved->depth_func = (int32_t)TR_I_GL_LESS;
+    saved->depth_range[1] = 1.0f;
+    saved->cull_mode = (int32_t)TR_I_GL_BACK;
+    saved->front_face = (int32_t)TR_I_GL_CCW;
+    saved->polygon_mode[0] = (int32_t)TR_I_GL_FILL;
+    saved->blend_func[0] = saved->blend_func[2] = (int32_t)TR_I_GL_ONE;
+    saved->blend_equation[0] = saved->blend_equation[1] = (int32_t)TR_I_GL_FUNC_ADD;
+    saved->active_texture = (int32_t)TR_I_GL_TEXTURE0;
+}
+
+static void tr_i_set_blend(const tr_context *tr, int on, tr_i_u source, tr_i_u destination, tr_i_u source_alpha,
+                           tr_i_u destination_alpha, tr_i_u equation, tr_i_u equation_alpha)
+{
+    if (!tr->has_indexed)
+        tr_i_switch(tr, TR_I_GL_BLEND, on);
+    else if (on)
+        tr->gl.Enablei(TR_I_GL_BLEND, 0);
+    else
+        tr->gl.Disablei(TR_I_GL_BLEND, 0);
+    if (tr->has_indexed_blend) {
+        tr->gl.BlendFuncSeparatei(0, source, destination, source_alpha, destination_alpha);
+        tr->gl.BlendEquationSeparatei(0, equation, equation_alpha);
+    } else {
+        tr->gl.BlendFuncSeparate(source, destination, source_alpha, destination_alpha);
+        tr->gl.BlendEquationSeparate(equation, equation_alpha);
+    }
+}
+
+static void tr_i_set_depth_range(const tr_context *tr, float first, float last)
+{
+    if (tr->es)
+        tr->gl.DepthRangef(first, last);
+    else
+        tr->gl.DepthRange((double)first, (double)last);
+}
+
+static void tr_i_restore_bindings(const tr_context *tr, const tr_i_snapshot *saved)
+{
+    const tr_i_gl *gl = &tr->gl;
+    tr_i_u binding = (tr_i_u)tr->desc.uniform_binding;
+    int i;
+    if (saved->program == 0 || gl->IsProgram((tr_i_u)saved->program))
+        gl->UseProgram((tr_i_u)saved->program);
+    gl->BindVertexArray((tr_i_u)saved->vertex_array);
+    gl->BindFramebuffer(TR_I_GL_DRAW_FRAMEBUFFER, (tr_i_u)saved->draw_framebuffer);
+    gl->BindFramebuffer(TR_I_GL_READ_FRAMEBUFFER, (tr_i_u)saved->read_framebuffer);
+    /* The indexed binding first: it moves the generic one along. A size of 0 means the whole buffer. */
+    if (saved->indexed_size > 0)
+        gl->BindBufferRange(TR_I_GL_UNIFORM_BUFFER, binding, (tr_i_u)saved->indexed_buffer,
+                            (ptrdiff_t)saved->indexed_start, (ptrdiff_t)saved->indexed_size);
+    else
+        gl->BindBufferBase(TR_I_GL_UNIFORM_BUFFER, binding, (tr_i_u)saved->indexed_buffer);
+    gl->BindBuffer(TR_I_GL_UNIFORM_BUFFER, (tr_i_u)saved->uniform_buffer);
+    gl->BindBuffer(TR_I_GL_COPY_WRITE_BUFFER, (tr_i_u)saved->copy_buffer);
+    gl->BindBuffer(TR_I_GL_PIXEL_UNPACK_BUFFER, (tr_i_u)saved->unpack_buffer);
+    for (i = 0; i < TR_I_UNIT_COUNT; ++i) {
+        tr_i_u unit = (tr_i_u)(tr->desc.first_texture_unit + i);
+        gl->ActiveTexture(TR_I_GL_TEXTURE0 + unit);
+        gl->BindTexture(TR_I_GL_TEXTURE_2D, (tr_i_u)saved->textures[i]);
+        gl->BindSampler(unit, (tr_i_u)saved->samplers[i]);
+    }
+    gl->ActiveTexture((tr_i_u)saved->active_texture);
+}
+
+static void tr_i_restore(const tr_context *tr, const tr_i_snapshot *saved)
+{
+    const tr_i_gl *gl = &tr->gl;
+    int i;
+    tr_i_restore_bindings(tr, saved);
+    for (i = 0; i < TR_I_CAP_COUNT; ++i)
+        if (tr_i_has_cap(tr, i))
+            tr_i_switch(tr, tr_i_caps[i].name, saved->caps[i]);
+    for (i = 0; i < tr->clip_distances; ++i)
+        tr_i_switch(tr, TR_I_GL_CLIP_DISTANCE0 + (tr_i_u)i, saved->clip_distances[i]);
+    gl->Viewport(saved->viewport[0], saved->viewport[1], saved->viewport[2], saved->viewport[3]);
+    gl->DepthMask(saved->depth_mask);
+    gl->DepthFunc((tr_i_u)saved->depth_func);
+    tr_i_set_depth_range(tr, saved->depth_range[0], saved->depth_range[1]);
+    gl->CullFace((tr_i_u)saved->cull_mode);
+    gl->FrontFace((tr_i_u)saved->front_face);
+    if (!tr->es)
+        gl->PolygonMode(TR_I_GL_FRONT_AND_BACK, (tr_i_u)saved->polygon_mode[0]);
+    tr_i_set_blend(tr, saved->blend, (tr_i_u)saved->blend_func[0], (tr_i_u)saved->blend_func[1],
+                   (tr_i_u)saved->blend_func[2], (tr_i_u)saved->blend_func[3], (tr_i_u)saved->blend_equation[0],
+                   (tr_i_u)saved->blend_equation[1]);
+    for (i = 0; i < tr->draw_buffers; ++i) {
+        const unsigned char *mask = saved->color_masks[i];
+        if (tr->has_indexed)
+            gl->ColorMaski((tr_i_u)i, mask[0], mask[1], mask[2], mask[3]);
+        else if (i == 0)
+            gl->ColorMask(mask[0], mask[1], mask[2], mask[3]);
+    }
+}
+
+static void tr_i_bind_textures(const tr_context *tr, const tr_state *state)
+{
+    int i;
+    for (i = 0; i < TR_I_UNIT_COUNT; ++i) {
+        tr_i_u unit = (tr_i_u)(state->first_texture_unit + i);
+        /* Units that are not read are unbound as well: they may hold a texture that this pass draws into. */
+        tr->gl.ActiveTexture(TR_I_GL_TEXTURE0 + unit);
+        tr->gl.BindTexture(TR_I_GL_TEXTURE_2D, state->textures[i]);
+        tr->gl.BindSampler(unit, 0);
+    }
+}
+
+static void tr_i_mask_colors(const tr_context *tr, int first)
+{
+    int i;
+    unsigned char on = (unsigned char)first;
+    if (!tr->has_indexed) {
+        tr->gl.ColorMask(on, on, on, on);
+        return;
+    }
+    for (i = 0; i < tr->draw_buffers; ++i)
+        tr->gl.ColorMaski((tr_i_u)i, i == 0 && first, i == 0 && first, i == 0 && first, i == 0 && first);
+}
+
+/* Makes the context's state what the pass says, whatever it was. */
+static void tr_i_apply(const tr_context *tr, const tr_state *state)
+{
+    const tr_i_gl *gl = &tr->gl;
+    int i;
+    for (i = 0; i < TR_I_CAPS_OFF; ++i)
+        if (tr_i_has_cap(tr, i))
+            gl->Disable(tr_i_caps[i].name);
+    for (i = 0; i < tr->clip_distances; ++i)
+        gl->Disable(TR_I_GL_CLIP_DISTANCE0 + (tr_i_u)i);
+    gl->BindFramebuffer(TR_I_GL_DRAW_FRAMEBUFFER, state->framebuffer);
+    gl->Viewport(state->viewport[0], state->viewport[1], state->viewport[2], state->viewport[3]);
+    tr_i_set_depth_range(tr, 0.0f, 1.0f);
+    tr_i_mask_colors(tr, state->color_write || state->clear_color);
+    gl->DepthMask((unsigned char)(state->depth_write || state->clear_depth));
+    if (state->clear_color)
+        gl->ClearBufferfv(TR_I_GL_COLOR, 0, state->clear_color_value);
+    if (state->clear_depth)
+        gl->ClearBufferfv(TR_I_GL_DEPTH, 0, &state->clear_depth_value);
+    gl->DepthMask((unsigned char)state->depth_write);
+    tr_i_switch(tr, TR_I_GL_DEPTH_TEST, state->depth_test);
+    gl->DepthFunc(state->depth_func);
+    tr_i_set_blend(tr, state->blend, state->blend_source, state->blend_destination, state->blend_source_alpha,
+                   state->blend_destination_alpha, TR_I_GL_FUNC_ADD, TR_I_GL_FUNC_ADD);
+    tr_i_switch(tr, TR_I_GL_CULL_FACE, state->cull_face != 0);
+    gl->CullFace(state->cull_face ? state->cull_face : TR_I_GL_BACK);
+    gl->FrontFace(state->front_face);
+    if (!tr->es)
+        gl->PolygonMode(TR_I_GL_FRONT_AND_BACK, TR_I_GL_FILL);
+    gl->UseProgram(state->program);
+    tr_i_bind_textures(tr, state);
+    gl->BindBufferBase(TR_I_GL_UNIFORM_BUFFER, (tr_i_u)state->uniform_binding, state->uniform_buffer);
+}
+
+/* ---- shaders and programs --------------------------------------------------------------------------------------- */
+
+typedef struct tr_i_source {
+    const char *strings[TR_I_MAX_STRINGS];
+    int count;
+} tr_i_source;
+
+static void tr_i_add(tr_i_source *source, const char *string)
+{
+    if (source->count < TR_I_MAX_STRINGS)
+        source->strings[source->count++] = string;
+}
+
+static void tr_i_add_chunks(tr_i_source *source, tr_i_strings chunks)
+{
+    for (; *chunks; ++chunks)
+        tr_i_add(source, *chunks);
+}
+
+static void tr_i_add_preamble(tr_i_source *source, int es, int reversed_z)
+{
+    tr_i_add(source, es ? "#version 300 es\nprecision highp float;\nprecision highp int;\n" : "#version 330 core\n");
+    tr_i_add(source, reversed_z ? "#define TR_REVERSED_Z 1\n#define TR_CLEAR_DEPTH 0.0\n" : "#define TR_CLEAR_DEPTH 1.0\n");
+}
+
+static void tr_i_add_rule(tr_i_source *source, int rule)
+{
+    static const char *const rules[TR_RULE_COUNT] = {
+        "#define TR_RULE 0\n", "#define TR_RULE 1\n", "#define TR_RULE 2\n", "#define TR_RULE 3\n",
+        "#define TR_RULE 4\n", "#define TR_RULE 5\n", "#define TR_RULE 6\n", "#define TR_RULE 7\n"};
+    tr_i_add(source, rules[rule]);
+    tr_i_add(source, rule >= TR_RULE_OPAQUE ? "#define TR_WANTS_COLOR 1\n" : "#define TR_WANTS_COLOR 0\n");
+}
+
+/* What a host's shader begins with, and the built-in surface programs too. */
+static void tr_i_host_source(tr_i_source *source, tr_stage stage, int rule, int es, int reversed_z)
+{
+    source->count = 0;
+    tr_i_add_preamble(source, es, reversed_z);
+    tr_i_add_rule(source, rule);
+    if (stage == TR_VERTEX) {
+        tr_i_add_chunks(source, tr_i_shader_surface_vertex_glsl);
+        tr_i_add_chunks(source, tr_i_shader_alpha_law_glsl);
+    } else {
+        tr_i_add_chunks(source, tr_i_shader_surface_rules_glsl);
+        tr_i_add_chunks(source, tr_i_shader_cool_to_warm_glsl);
+    }
+}
+
+static void tr_i_compose_source(tr_i_source *source, int variant)
+{
+    static const char *const blendings[3] = {"#define TR_BLENDING 0\n", "#define TR_BLENDING 1\n",
+                                             "#define TR_BLENDING 2\n"};
+    tr_i_add(source, variant == 0 || variant > 3 ? "#define TR_HAS_OPAQUE 1\n" : "#define TR_HAS_OPAQUE 0\n");
+    tr_i_add(source, variant > 0 ? "#define TR_HAS_LAYER 1\n" : "#define TR_HAS_LAYER 0\n");
+    tr_i_add(source, blendings[variant > 0 ? (variant - 1) % 3 : 0]);
+    tr_i_add_chunks(source, tr_i_shader_frame_block_glsl);
+    tr_i_add_chunks(source, tr_i_shader_compose_frag);
+}
+
+static void tr_i_line_source(tr_i_source *source, tr_stage stage, int variant)
+{
+    tr_i_add(source, variant & 1 ? "#define TR_INK 1\n" : "#define TR_INK 0\n");
+    tr_i_add(source, variant & 2 ? "#define TR_ON_TARGET 1\n" : "#define TR_ON_TARGET 0\n");
+    tr_i_add_chunks(source, tr_i_shader_frame_block_glsl);
+    tr_i_add_chunks(source, stage == TR_VERTEX ? tr_i_shader_line_vert : tr_i_shader_line_frag);
+}
+
+/* The whole text of one stage of a built-in program. */
+static void tr_i_program_source(tr_i_source *source, int program, tr_stage stage, int es, int reversed_z)
+{
+    if (program < TR_I_PROGRAM_COPY_DEPTH) {
+        tr_i_host_source(source, stage, program, es, reversed_z);
+        if (stage == TR_FRAGMENT && program >= (int)TR_RULE_OPAQUE)
+            tr_i_add_chunks(source, tr_i_shader_frame_block_glsl);
+        tr_i_add_chunks(source, stage == TR_VERTEX ? tr_i_shader_surface_vert : tr_i_shader_surface_frag);
+        return;
+    }
+    source->count = 0;
+    tr_i_add_preamble(source, es, reversed_z);
+    if (program >= TR_I_PROGRAM_LINE)
+        tr_i_line_source(source, stage, program - TR_I_PROGRAM_LINE);
+    else if (stage == TR_VERTEX)
+        tr_i_add_chunks(source, tr_i_shader_fullscreen_vert);
+    else if (program == TR_I_PROGRAM_COPY_DEPTH)
+        tr_i_add_chunks(source, tr_i_shader_copy_depth_frag);
+    else
+        tr_i_compose_source(source, program - TR_I_PROGRAM_COMPOSE);
+}
+
+static tr_i_u tr_i_compile(tr_context *tr, int program, tr_stage stage)
+{
+    tr_i_source source;
+    char log[2048] = "";
+    int32_t ok = 0;
+    tr_i_u shader = tr->gl.CreateShader(stage == TR_VERTEX ? TR_I_GL_VERTEX_SHADER : TR_I_GL_FRAGMENT_SHADER);
+    if (!shader)
+        return 0;
+    tr_i_program_source(&source, program, stage, tr->es, tr->desc.reversed_z);
+    tr->gl.ShaderSource(shader, source.count, source.strings, 0);
+    tr->gl.CompileShader(shader);
+    tr->gl.GetShaderiv(shader, TR_I_GL_COMPILE_STATUS, &ok);
+    if (ok)
+        return shader;
+    tr->gl.GetShaderInfoLog(shader, (int32_t)sizeof log, 0, log);
+    tr_i_log(&tr->desc, TR_LOG_ERROR, TR_SHADER_FAILED,
+             stage == TR_VERTEX ? "built-in vertex shader does not compile" : "built-in fragment shader does not compile",
+             log);
+    tr->gl.DeleteShader(shader);
+    return 0;
+}
+
+static tr_i_u tr_i_link(tr_context *tr, int index)
+{
+    char log[2048] = "";
+    int32_t ok = 0;
+    tr_i_u vertex = tr_i_compile(tr, index, TR_VERTEX);
+    tr_i_u fragment = vertex ? tr_i_compile(tr, index, TR_FRAGMENT) : 0;
+    tr_i_u program = fragment ? tr->gl.CreateProgram() : 0;
+    if (program) {
+        tr->gl.AttachShader(program, vertex);
+        tr->gl.AttachShader(program, fragment);
+        tr->gl.LinkProgram(program);
+        tr->gl.GetProgramiv(program, TR_I_GL_LINK_STATUS, &ok);
+        if (!ok) {
+            tr->gl.GetProgramInfoLog(program, (int32_t)sizeof log, 0, log);
+            tr_i_log(&tr->desc, TR_LOG_ERROR, TR_SHADER_FAILED, "built-in program does not link", log);
+            tr->gl.DeleteProgram(program);
+            program = 0;
+        }
+    }
+    if (vertex)
+        tr->gl.DeleteShader(vertex);
+    if (fragment)
+        tr->gl.DeleteShader(fragment);
+    return program;
+}
+
+/* Points a program's samplers and block at our units and binding. The program is left in use. */
+static void tr_i_wire_program(tr_context *tr, tr_i_u program)
+{
+    static const char *const samplers[TR_I_UNIT_COUNT] = {"tr_front_depth", "tr_front_owner", "tr_scene_depth",
+                                                          "tr_opaque_color", "tr_layer_color"};
+    tr_i_u block = tr->gl.GetUniformBlockIndex(program, "tr_frame");
+    int i;
+    tr->gl.UseProgram(program);
+    for (i = 0; i < TR_I_UNIT_COUNT; ++i) {
+        int32_t location = tr->gl.GetUniformLocation(program, samplers[i]);
+        if (location >= 0)
+            tr->gl.Uniform1i(location, tr->desc.first_texture_unit + i);
+    }
+    if (block != TR_I_GL_INVALID_INDEX)
+        tr->gl.UniformBlockBinding(program, block, (tr_i_u)tr->desc.uniform_binding);
+}
+
+static tr_result tr_i_make_program(tr_context *tr, int index)
+{
+    tr_i_program *program = &tr->programs[index];
+    if (program->name)
+        return TR_OK;
+    program->name = tr_i_link(tr, index);
+    if (!program->name)
+        return tr_i_fail(&tr->desc, TR_SHADER_FAILED, 0);
+    tr_i_wire_program(tr, program->name);
+    program->model_view_projection = tr->gl.GetUniformLocation(program->name, "tr_model_view_projection");
+    program->normal_matrix = tr->gl.GetUniformLocation(program->name, "tr_normal_matrix");
+    program->color = tr->gl.GetUniformLocation(program->name, "tr_object_color");
+    program->falloff = tr->gl.GetUniformLocation(program->name, "tr_falloff");
+    program->object = tr->gl.GetUniformLocation(program->name, "tr_object");
+    return TR_OK;
+}
+
+TR_I_API const char *const *tr_glsl(const tr_context *tr, tr_stage stage, tr_rule rule, int *count)
+{
+    if (!tr || (unsigned)stage >= (unsigned)TR_STAGE_COUNT || (unsigned)rule >= (unsigned)TR_RULE_COUNT || !count)
+        return 0;
+    *count = tr->string_count[stage][rule];
+    return tr->strings[stage][rule];
+}
+
+TR_I_API tr_result tr_prepare_program(tr_context *tr, uint32_t program)
+{
+    int32_t current = 0;
+    if (!tr || !tr->gl.IsProgram(program))
+        return TR_INVALID_ARGUMENT;
+    tr->gl.GetIntegerv(TR_I_GL_CURRENT_PROGRAM, &current);
+    tr_i_wire_program(tr, program);
+    if (current == 0 || tr->gl.IsProgram((tr_i_u)current))
+        tr->gl.UseProgram((tr_i_u)current);
+    return TR_OK;
+}
+
+/* ---- creation --------------------------------------------------------------------------------------------------- */
+
+static void *tr_i_default_alloc(size_t size, void *user)
+{
+    (void)user;
+    return TR_MALLOC(size);
+}
+
+static void tr_i_default_free(void *block, void *user)
+{
+    (void)user;
+    TR_FREE(block);
+}
+
+#ifdef TR_GL_STATIC
+/* In the static mode the names that the host's GL header declares; its version macros say which there are. */
+static void tr_i_load_static(tr_i_gl *gl)
+{
+#define TR_I_TAKE(type, name, parameters) gl->name = (type(TR_I_GLAPI *) parameters)(tr_proc)gl##name;
+    TR_I_GL_REQUIRED(TR_I_TAKE)
+#if defined(GL_VERSION_3_0)
+    TR_I_GL_DESKTOP(TR_I_TAKE)
+#else
+    TR_I_GL_ES(TR_I_TAKE)
+#endif
+#if defined(GL_VERSION_3_0) || defined(GL_ES_VERSION_3_2)
+    TR_I_GL_INDEXED(TR_I_TAKE)
+#endif
+#if defined(GL_VERSION_4_0) || defined(GL_ES_VERSION_3_2)
+    TR_I_GL_INDEXED_BLEND(TR_I_TAKE)
+#endif
+#undef TR_I_TAKE
+}
+#endif
+
+static tr_result tr_i_load(tr_context *tr)
+{
+    tr_i_gl *gl = &tr->gl;
+    const char *missing = 0;
+#ifdef TR_GL_STATIC
+    tr_i_load_static(gl);
+#else
+    tr_proc (*get)(const char *) = tr->desc.get_proc;
+#define TR_I_TAKE(type, name, parameters) gl->name = (type(TR_I_GLAPI *) parameters)get("gl" #name);
+    TR_I_GL_REQUIRED(TR_I_TAKE)
+    TR_I_GL_DESKTOP(TR_I_TAKE)
+    TR_I_GL_INDEXED(TR_I_TAKE)
+    TR_I_GL_INDEXED_BLEND(TR_I_TAKE)
+    TR_I_GL_ES(TR_I_TAKE)
+#undef TR_I_TAKE
+#endif
+#define TR_I_CHECK(type, name, parameters)                                                                             \
+    if (!gl->name)                                                                                                     \
+        missing = "gl" #name;
+    TR_I_GL_REQUIRED(TR_I_CHECK)
+#undef TR_I_CHECK
+    return missing ? tr_i_fail(&tr->desc, TR_GL_FUNCTION_MISSING, missing) : TR_OK;
+}
+
+/* "3.3.0 NVIDIA ...", "OpenGL ES 3.2 Mesa ...": 330, 320. Anything else: 0. */
+static int tr_i_parse_version(const char *string, int *es)
+{
+    static const char prefix[] = "OpenGL ES ";
+    *es = string && strncmp(string, prefix, sizeof prefix - 1) == 0;
+    if (*es)
+        string += sizeof prefix - 1;
+    if (!string || string[0] < '1' || string[0] > '9' || string[1] != '.' || string[2] < '0' || string[2] > '9')
+        return 0;
+    return (string[0] - '0') * 100 + (string[2] - '0') * 10;
+}
+
+static tr_result tr_i_detect(tr_context *tr)
+{
+    const char *string = (const char *)tr->gl.GetString(TR_I_GL_VERSION);
+    const char *missing = 0;
+    int32_t limit = 0;
+    tr->version = tr_i_parse_version(string, &tr->es);
+    if (tr->desc.max_gl_version && tr->version > tr->desc.max_gl_version)
+        tr->version = tr->desc.max_gl_version;
+    if (tr->version < (tr->es ? 300 : 330))
+        return tr_i_fail(&tr->desc, TR_GL_TOO_OLD, string ? string : "no context is current");
+    /* A function's presence says little; the version says that it works. */
+    if (tr->version >= (tr->es ? 320 : 330)) {
+        tr->has_indexed = 1;
+#define TR_I_CHECK(type, name, parameters)                                                                             \
+    if (!tr->gl.name)                                                                                                  \
+        tr->has_indexed = 0;
+        TR_I_GL_INDEXED(TR_I_CHECK)
+#undef TR_I_CHECK
+    }
+    tr->has_indexed_blend = tr->version >= (tr->es ? 320 : 400) && tr->gl.BlendFuncSeparatei &&
+                            tr->gl.BlendEquationSeparatei && tr->has_indexed;
+    if (tr->es && !tr->gl.DepthRangef)
+        missing = "glDepthRangef";
+    else if (!tr->es && !tr->gl.DepthRange)
+        missing = "glDepthRange";
+    else if (!tr->es && !tr->gl.PolygonMode)
+        missing = "glPolygonMode";
+    if (missing)
+        return tr_i_fail(&tr->desc, TR_GL_FUNCTION_MISSING, missing);
+    tr->gl.GetIntegerv(TR_I_GL_MAX_TEXTURE_SIZE, &tr->max_texture_size);
+    tr->gl.GetIntegerv(TR_I_GL_MAX_DRAW_BUFFERS, &limit);
+    tr->draw_buffers = !tr->has_indexed || limit < 1 ? 1 : limit > TR_I_MAX_DRAW_BUFFERS ? TR_I_MAX_DRAW_BUFFERS : limit;
+    limit = 0;
+    if (!tr->es)
+        tr->gl.GetIntegerv(TR_I_GL_MAX_CLIP_DISTANCES, &limit);
+    tr->clip_distances = limit > TR_I_MAX_CLIP_DISTANCES ? TR_I_MAX_CLIP_DISTANCES : limit;
+    return TR_OK;
+}
+
+static tr_result tr_i_check_bindings(tr_context *tr)
+{
+    int32_t units = 0, bindings = 0;
+    tr->gl.GetIntegerv(TR_I_GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS, &units);
+    tr->gl.GetIntegerv(TR_I_GL_MAX_UNIFORM_BUFFER_BINDINGS, &bindings);
+    if (tr->desc.first_texture_unit == 0)
+        tr->desc.first_texture_unit = 8;
+    if (tr->desc.uniform_binding == 0)
+        tr->desc.uniform_binding = 15;
+    if (tr->desc.first_texture_unit < 0 || tr->desc.first_texture_unit > units - TR_I_UNIT_COUNT)
+        return tr_i_fail(&tr->desc, TR_INVALID_ARGUMENT, "desc.first_texture_unit");
+    if (tr->desc.uniform_binding < 0 || tr->desc.uniform_binding >= bindings)
+        return tr_i_fail(&tr->desc, TR_INVALID_ARGUMENT, "desc.uniform_binding");
+    return TR_OK;
+}
+
+static void tr_i_assemble_host_sources(tr_context *tr)
+{
+    tr_i_source source;
+    int stage, rule;
+    for (stage = 0; stage < (int)TR_STAGE_COUNT; ++stage) {
+        for (rule = 0; rule < (int)TR_RULE_COUNT; ++rule) {
+            tr_i_host_source(&source, (tr_stage)stage, rule, tr->es, tr->desc.reversed_z);
+            memcpy(tr->strings[stage][rule], source.strings, (size_t)source.count * sizeof source.strings[0]);
+            tr->string_count[stage][rule] = source.count;
+        }
+    }
+}
+
+TR_I_API tr_context *tr_create(const tr_desc *desc, tr_result *result)
+{
+    tr_context *tr;
+    tr_desc d;
+    tr_result ignored;
+    if (!result)
+        result = &ignored;
+    *result = TR_INVALID_ARGUMENT;
+    if (!desc || !desc->alloc_fn != !desc->free_fn || (unsigned)desc->state > TR_STATE_NONE)
+        return 0;
+    d = *desc;
+#ifndef TR_GL_STATIC
+    if (!d.get_proc) {
+        tr_i_fail(&d, TR_INVALID_ARGUMENT, "desc.get_proc");
+        return 0;
+    }
+#endif
+    if (!d.alloc_fn) {
+        d.alloc_fn = tr_i_default_alloc;
+        d.free_fn = tr_i_default_free;
+    }
+    tr = (tr_context *)d.alloc_fn(sizeof *tr, d.alloc_user);
+    *result = TR_OUT_OF_MEMORY;
+    if (!tr)
+        return 0;
+    memset(tr, 0, sizeof *tr);
+    tr->desc = d;
+    *result = tr_i_load(tr);
+    if (*result == TR_OK)
+        *result = tr_i_detect(tr);
+    if (*result == TR_OK)
+        *result = tr_i_check_bindings(tr);
+    if (*result != TR_OK) {
+        d.free_fn(tr, d.alloc_user);
+        return 0;
+    }
+    tr_i_assemble_host_sources(tr);
+    return tr;
+}
+
+TR_I_API void tr_release(tr_context *tr)
+{
+    if (!tr)
+        return;
+    tr->gl.DeleteFramebuffers(TR_I_FBO_COUNT, tr->fbos);
+    tr->gl.DeleteTextures(TR_I_TEXTURE_COUNT, tr->textures);
+    memset(tr->fbos, 0, sizeof tr->fbos);
+    memset(tr->textures, 0, sizeof tr->textures);
+    tr->width = tr->height = 0;
+}
+
+TR_I_API void tr_destroy(tr_context *tr)
+{
+    int i;
+    if (!tr)
+        return;
+    tr_release(tr);
+    for (i = 0; i < TR_I_PROGRAM_COUNT; ++i)
+        if (tr->programs[i].name)
+            tr->gl.DeleteProgram(tr->programs[i].name);
+    if (tr->vertex_array)
+        tr->gl.DeleteVertexArrays(1, &tr->vertex_array);
+    if (tr->uniform_buffer)
+        tr->gl.DeleteBuffers(1, &tr->uniform_buffer);
+    tr->desc.free_fn(tr, tr->desc.alloc_user);
+}
+
+TR_I_API tr_info tr_get_info(const tr_context *tr)
+{
+    tr_info info;
+    int i;
+    memset(&info, 0, sizeof info);
+    if (!tr)
+        return info;
+    info.es = tr->es;
+    info.version = tr->version;
+    info.plan = &tr->plan;
+    for (i = 0; i < TR_I_TEXTURE_COUNT; ++i)
+        if (tr->textures[i])
+            info.bytes += (uint64_t)tr->width * (uint64_t)tr->height * 4u;
+    return info;
+}
+
+/* ---- textures and framebuffers ---------------------------------------------------------------------------------- */
+
+/* What is attached: depth texture, colour texture or -1. */
+static const int tr_i_attachments[TR_I_FBO_COUNT][2] = {
+    {TR_I_FRONT_DEPTH, -1},  {TR_I_FRONT_OWNER, -1},
+    {TR_I_SCENE_DEPTH, -1},  {TR_I_SCENE_DEPTH, TR_I_OPAQUE_COLOR},
+    {TR_I_SCENE_DEPTH, TR_I_LAYER_COLOR}, {TR_I_DEPTH_COPY, -1},
+};
+
+static void tr_i_make_texture(tr_context *tr, int index, int width, int height)
+{
+    int depth = index != TR_I_OPAQUE_COLOR && index != TR_I_LAYER_COLOR;
+    const tr_i_gl *gl = &tr->gl;
+    gl->GenTextures(1, &tr->textures[index]);
+    gl->BindTexture(TR_I_GL_TEXTURE_2D, tr->textures[index]);
+    gl->TexImage2D(TR_I_GL_TEXTURE_2D, 0, (int32_t)(depth ? TR_I_GL_DEPTH_COMPONENT32F : TR_I_GL_RGBA8), width, height, 0,
+                   depth ? TR_I_GL_DEPTH_COMPONENT : TR_I_GL_RGBA, depth ? TR_I_GL_FLOAT : TR_I_GL_UNSIGNED_BYTE, 0);
+    gl->TexParameteri(TR_I_GL_TEXTURE_2D, TR_I_GL_TEXTURE_MIN_FILTER, TR_I_GL_NEAREST);
+    gl->TexParameteri(TR_I_GL_TEXTURE_2D, TR_I_GL_TEXTURE_MAG_FILTER, TR_I_GL_NEAREST);
+    gl->TexParameteri(TR_I_GL_TEXTURE_2D, TR_I_GL_TEXTURE_WRAP_S, TR_I_GL_CLAMP_TO_EDGE);
+    gl->TexParameteri(TR_I_GL_TEXTURE_2D, TR_I_GL_TEXTURE_WRAP_T, TR_I_GL_CLAMP_TO_EDGE);
+}
+
+static int tr_i_make_fbo(tr_context *tr, int index)
+{
+    const tr_i_gl *gl = &tr->gl;
+    int depth = tr_i_attachments[index][0], color = tr_i_attachments[index][1];
+    tr_i_u buffer = color >= 0 ? TR_I_GL_COLOR_ATTACHMENT0 : 0;
+    gl->GenFramebuffers(1, &tr->fbos[index]);
+    gl->BindFramebuffer(TR_I_GL_DRAW_FRAMEBUFFER, tr->fbos[index]);
+    gl->BindFramebuffer(TR_I_GL_READ_FRAMEBUFFER, tr->fbos[index]);
+    gl->FramebufferTexture2D(TR_I_GL_DRAW_FRAMEBUFFER, TR_I_GL_DEPTH_ATTACHMENT, TR_I_GL_TEXTURE_2D, tr->textures[depth], 0);
+    if (color >= 0)
+        gl->FramebufferTexture2D(TR_I_GL_DRAW_FRAMEBUFFER, TR_I_GL_COLOR_ATTACHMENT0, TR_I_GL_TEXTURE_2D,
+                                 tr->textures[color], 0);
+    gl->DrawBuffers(1, &buffer);
+    gl->ReadBuffer(buffer);
+    return gl->CheckFramebufferStatus(TR_I_GL_DRAW_FRAMEBUFFER) == TR_I_GL_FRAMEBUFFER_COMPLETE;
+}
+
+/* glTexImage2D may fail for want of memory; then a framebuffer is not complete, and all textures are given back. */
+static tr_result tr_i_make_textures(tr_context *tr, uint32_t wanted, int width, int height)
+{
+    int i;
+    if (tr->width != width || tr->height != height)
+        tr_release(tr);
+    tr->width = width;
+    tr->height = height;
+    tr->gl.ActiveTexture(TR_I_GL_TEXTURE0 + (tr_i_u)tr->desc.first_texture_unit);
+    tr->gl.BindBuffer(TR_I_GL_PIXEL_UNPACK_BUFFER, 0);
+    for (i = 0; i < TR_I_TEXTURE_COUNT; ++i)
+        if (((wanted >> i) & 1u) && !tr->textures[i])
+            tr_i_make_texture(tr, i, width, height);
+    for (i = 0; i < TR_I_FBO_COUNT; ++i) {
+        int depth = tr_i_attachments[i][0], color = tr_i_attachments[i][1];
+        if (tr->fbos[i] || !tr->textures[depth] || (color >= 0 && !tr->textures[color]))
+            continue;
+        if (!tr_i_make_fbo(tr, i)) {
+            tr_release(tr);
+            return tr_i_fail(&tr->desc, TR_TARGET_INCOMPLETE, "one of the header's own");
+        }
+    }
+    return TR_OK;
+}
+
+/* ---- the sequence ----------------------------------------------------------------------------------------------- */
+
+static int tr_i_program_of(const tr_context *tr, const tr_plan_pass *pass)
+{
+    int layer = (tr->plan.textures >> TR_I_LAYER_COLOR) & 1u;
+    int opaque = (tr->plan.textures >> TR_I_OPAQUE_COLOR) & 1u;
+    int ink = pass->lines == TR_LINES_OUTLINES;
+    switch (pass->kind) {
+    case TR_PASS_COPY_DEPTH: return TR_I_PROGRAM_COPY_DEPTH;
+    case TR_PASS_COMPOSE:
+        return TR_I_PROGRAM_COMPOSE + (layer ? 1 + (int)tr->frame.wishes.blending + (opaque ? 3 : 0) : 0);
+    case TR_PASS_OPAQUE_LINES: return TR_I_PROGRAM_LINE + ink;
+    case TR_PASS_TRANSPARENT_LINES: return TR_I_PROGRAM_LINE + 2 + ink;
+    default: return TR_I_PROGRAM_SURFACE + (int)pass->rule;
+    }
+}
+
+static float tr_i_weight(float weight, float fallback)
+{
+    if (weight == 0.0f)
+        return fallback;
+    return weight > 0.0f ? (weight < 1.0f ? weight : 1.0f) : 0.0f;
+}
+
+static void tr_i_unit_vector(float out[4], const float in[3], const float fallback[3])
+{
+    double length;
+    int i;
+    if (in[0] == 0.0f && in[1] == 0.0f && in[2] == 0.0f)
+        in = fallback;
+    /* In double the squares of floats neither overflow nor vanish. */
+    length = sqrt((double)in[0] * (double)in[0] + (double)in[1] * (double)in[1] + (double)in[2] * (double)in[2]);
+    for (i = 0; i < 3; ++i)
+        out[i] = (float)((double)in[i] / length);
+    out[3] = 0.0f;
+}
+
+static void tr_i_fill_block(const tr_frame *frame, tr_i_block *block)
+{
+    static const float light[3] = {-0.45f, 0.65f, 0.62f};
+    static const float cool[4] = {0.10f, 0.14f, 0.30f, 0.45f}, warm[4] = {0.22f, 0.19f, 0.08f, 0.80f};
+    static const float zero[4] = {0, 0, 0, 0};
+    int i;
+    memset(block, 0, sizeof *block);
+    tr_i_unit_vector(block->light, frame->light, light);
+    if (frame->flat_shading) {
+        block->cool[3] = block->warm[3] = 1.0f;
+    } else {
+        int given = memcmp(frame->cool, zero, sizeof zero) != 0 || memcmp(frame->warm, zero, sizeof zero) != 0;
+        memcpy(block->cool, given ? frame->cool : cool, sizeof cool);
+        memcpy(block->warm, given ? frame->warm : warm, sizeof warm);
+    }
+    block->weights[0] = tr_i_weight(frame->opaque_weight, 1.0f);
+    block->weights[1] = tr_i_weight(frame->background_weight, 0.5f);
+    block->weights[2] = frame->line_tolerance > 0.0f ? frame->line_tolerance : 2.0f;
+    block->viewport[0] = (float)frame->x;
+    block->viewport[1] = (float)frame->y;
+    block->viewport[2] = (float)frame->width;
+    block->viewport[3] = (float)frame->height;
+    for (i = 0; i < 3; ++i) {
+        block->ink[0][i] = frame->crease_color[i];
+        block->ink[1][i] = frame->outline_color[i];
+    }
+    if (!frame->black_creases && memcmp(frame->crease_color, zero, 3 * sizeof zero[0]) == 0)
+        block->ink[0][0] = block->ink[0][1] = block->ink[0][2] = 1.0f;
+}
+
+/* 1 if tr_begin has to create or upload something: never in a steady frame. */
+static int tr_i_needs_work(const tr_context *tr, const tr_i_block *block)
+{
+    int i;
+    if (!tr->uniform_buffer || !tr->vertex_array || !tr->block_uploaded || memcmp(block, &tr->block, sizeof *block) != 0)
+        return 1;
+    if (tr->width != tr->frame.width || tr->height != tr->frame.height)
+        return 1;
+    for (i = 0; i < TR_I_TEXTURE_COUNT; ++i)
+        if (((tr->plan.textures >> i) & 1u) && !tr->textures[i])
+            return 1;
+    for (i = 0; i < tr->plan.pass_count; ++i)
+        if (!tr->programs[tr_i_program_of(tr, &tr->plan.passes[i])].name)
+            return 1;
+    return 0;
+}
+
+static void tr_i_upload_block(tr_context *tr, const tr_i_block *block)
+{
+    if (!tr->uniform_buffer)
+        tr->gl.GenBuffers(1, &tr->uniform_buffer);
+    tr->gl.BindBuffer(TR_I_GL_COPY_WRITE_BUFFER, tr->uniform_buffer);
+    if (!tr->block_uploaded)
+        tr->gl.BufferData(TR_I_GL_COPY_WRITE_BUFFER, (ptrdiff_t)sizeof *block, block, TR_I_GL_DYNAMIC_DRAW);
+    else if (memcmp(block, &tr->block, sizeof *block) != 0)
+        tr->gl.BufferSubData(TR_I_GL_COPY_WRITE_BUFFER, 0, (ptrdiff_t)sizeof *block, block);
+    tr->block = *block;
+    tr->block_uploaded = 1;
+}
+
+static tr_result tr_i_work(tr_context *tr, const tr_i_block *block)
+{
+    tr_result result = tr_i_make_textures(tr, tr->plan.textures, tr->frame.width, tr->frame.height);
+    int i;
+    for (i = 0; i < tr->plan.pass_count && result == TR_OK; ++i)
+        result = tr_i_make_program(tr, tr_i_program_of(tr, &tr->plan.passes[i]));
+    if (result != TR_OK)
+        return result;
+    if (!tr->vertex_array)
+        tr->gl.GenVertexArrays(1, &tr->vertex_array);
+    tr_i_upload_block(tr, block);
+    return TR_OK;
+}
+
+static tr_result tr_i_check_target(tr_context *tr)
+{
+    int32_t samples = 0;
+    tr->gl.BindFramebuffer(TR_I_GL_DRAW_FRAMEBUFFER, tr->frame.framebuffer);
+    if (tr->gl.CheckFramebufferStatus(TR_I_GL_DRAW_FRAMEBUFFER) != TR_I_GL_FRAMEBUFFER_COMPLETE)
+        return tr_i_fail(&tr->desc, TR_TARGET_INCOMPLETE, "frame.framebuffer");
+    tr->gl.GetIntegerv(TR_I_GL_SAMPLES, &samples);
+    return samples > 0 ? tr_i_fail(&tr->desc, TR_TARGET_MULTISAMPLED, "frame.framebuffer") : TR_OK;
+}
+
+static tr_result tr_i_check_frame(const tr_context *tr, const tr_frame *frame)
+{
+    float sum = frame->opaque_weight + frame->background_weight + frame->line_tolerance;
+    int i;
+    for (i = 0; i < 4; ++i)
+        sum += frame->cool[i] + frame->warm[i] + (i < 3 ? frame->light[i] + frame->crease_color[i] + frame->outline_color[i] : 0);
+    if (!(sum - sum == 0.0f))
+        return tr_i_fail(&tr->desc, TR_INVALID_ARGUMENT, "a number of the frame is not finite");
+    if (frame->width < 0 || frame->height < 0)
+        return tr_i_fail(&tr->desc, TR_INVALID_ARGUMENT, "frame.width or frame.height is negative");
+    if (frame->width > tr->max_texture_size || frame->height > tr->max_texture_size)
+        return tr_i_fail(&tr->desc, TR_TOO_LARGE, "frame.width or frame.height");
+    return TR_OK;
+}
+
+TR_I_API tr_result tr_begin(tr_context *tr, const tr_frame *frame)
+{
+    tr_i_block block;
+    tr_result result;
+    int work;
+    if (!tr || !frame)
+        return TR_INVALID_ARGUMENT;
+    if (tr->in_frame)
+        return tr_i_fail(&tr->desc, TR_WRONG_ORDER, "tr_begin");
+    result = tr_i_check_frame(tr, frame);
+    if (result != TR_OK)
+        return result;
+    result = tr_plan_make(&frame->scene, &frame->wishes, &tr->plan);
+    if (result != TR_OK)
+        return tr_i_fail(&tr->desc, result, "frame.wishes");
+    if (frame->width == 0 || frame->height == 0)
+        memset(&tr->plan, 0, sizeof tr->plan);
+    tr->frame = *frame;
+    tr->next_pass = 0;
+    if (tr->plan.pass_count > 0) {
+        tr_i_fill_block(frame, &block);
+        work = tr_i_needs_work(tr, &block);
+        if (work || tr->desc.state != TR_STATE_NONE)
+            tr_i_save(tr, &tr->saved);
+        if (tr->desc.state != TR_STATE_NONE)
+            result = tr_i_check_target(tr);
+        if (result == TR_OK && work)
+            result = tr_i_work(tr, &block);
+        if (result != TR_OK || (work && tr->desc.state == TR_STATE_NONE))
+            tr_i_restore(tr, &tr->saved);
+    }
+    tr->in_frame = result == TR_OK;
+    return result;
+}
+
+/* Which textures a pass reads: bits of the units. */
+static uint32_t tr_i_reads(const tr_plan_pass *pass, uint32_t textures)
+{
+    uint32_t reads = 0;
+    switch (pass->kind) {
+    case TR_PASS_OWNER: return 1u << TR_I_FRONT_DEPTH;
+    case TR_PASS_LIMIT:
+    case TR_PASS_BLENDED:
+        if (pass->rule != TR_RULE_FRONT)
+            reads = 1u << TR_I_FRONT_DEPTH;
+        if (pass->rule != TR_RULE_FRONT && pass->rule != TR_RULE_LIMIT_ALONE && pass->rule != TR_RULE_BLENDED_ALONE)
+            reads |= 1u << TR_I_FRONT_OWNER;
+        return reads;
+    case TR_PASS_COPY_DEPTH:
+    case TR_PASS_OPAQUE_LINES:
+    case TR_PASS_TRANSPARENT_LINES: return 1u << TR_I_SCENE_DEPTH;
+    case TR_PASS_COMPOSE:
+        reads = (1u << TR_I_FRONT_DEPTH) | (1u << TR_I_SCENE_DEPTH) | (1u << TR_I_OPAQUE_COLOR) | (1u << TR_I_LAYER_COLOR);
+        return reads & textures;
+    default: return 0;
+    }
+}
+
+static int tr_i_fbo_of(tr_pass_kind kind)
+{
+    switch (kind) {
+    case TR_PASS_FRONT: return TR_I_FBO_FRONT;
+    case TR_PASS_OWNER: return TR_I_FBO_OWNER;
+    case TR_PASS_LIMIT: return TR_I_FBO_LIMIT;
+    case TR_PASS_OPAQUE:
+    case TR_PASS_OPAQUE_LINES: return TR_I_FBO_OPAQUE;
+    case TR_PASS_COPY_DEPTH: return TR_I_FBO_COPY;
+    case TR_PASS_BLENDED: return TR_I_FBO_LAYER;
+    default: return -1; /* the host's target */
+    }
+}
+
+static void tr_i_fill_bindings(const tr_context *tr, const tr_plan_pass *pass, tr_state *state)
+{
+    uint32_t reads = tr_i_reads(pass, tr->plan.textures);
+    int fbo = tr_i_fbo_of(pass->kind);
+    int i;
+    state->framebuffer = fbo >= 0 ? tr->fbos[fbo] : tr->frame.framebuffer;
+    state->viewport[0] = fbo >= 0 ? 0 : tr->frame.x;
+    state->viewport[1] = fbo >= 0 ? 0 : tr->frame.y;
+    state->viewport[2] = tr->frame.width;
+    state->viewport[3] = tr->frame.height;
+    state->program = tr->programs[tr_i_program_of(tr, pass)].name;
+    state->first_texture_unit = tr->desc.first_texture_unit;
+    for (i = 0; i < TR_I_UNIT_COUNT; ++i)
+        state->textures[i] = (reads >> i) & 1u ? tr->textures[i] : 0;
+    if (pass->kind == TR_PASS_OPAQUE_LINES)
+        state->textures[TR_I_SCENE_DEPTH] = tr->textures[TR_I_DEPTH_COPY];
+    state->uniform_buffer = tr->uniform_buffer;
+    state->uniform_binding = tr->desc.uniform_binding;
+    if (pass->kind == TR_PASS_COPY_DEPTH || pass->kind == TR_PASS_COMPOSE) {
+        state->vertex_array = tr->vertex_array;
+        state->vertex_count = 3;
+    }
+}
+
+static void tr_i_fill_tests(const tr_context *tr, const tr_plan_pass *pass, tr_state *state)
+{
+    int reversed = tr->desc.reversed_z;
+    tr_i_u nearer = reversed ? TR_I_GL_GREATER : TR_I_GL_LESS;
+    tr_i_u not_farther = reversed ? TR_I_GL_GEQUAL : TR_I_GL_LEQUAL;
+    state->depth_test = 1;
+    state->depth_func = nearer;
+    state->depth_write = 1;
+    state->blend_source = state->blend_source_alpha = TR_I_GL_ONE;
+    state->clear_color = pass->clear_color;
+    state->clear_depth = pass->clear_depth;
+    state->clear_depth_value = reversed ? 0.0f : 1.0f;
+    state->cull_face = pass->cull == 1 ? TR_I_GL_BACK : pass->cull == 2 ? TR_I_GL_FRONT : 0;
+    state->front_face = tr->desc.front_face_cw ? TR_I_GL_CW : TR_I_GL_CCW;
+    switch (pass->kind) {
+    case TR_PASS_OWNER: /* ids are not depths of the scene: lowest first whatever the convention */
+        state->depth_func = TR_I_GL_LESS;
+        state->clear_depth_value = 1.0f;
+        break;
+    case TR_PASS_COPY_DEPTH: state->depth_func = TR_I_GL_ALWAYS; break;
+    case TR_PASS_OPAQUE:
+    case TR_PASS_BLENDED: state->color_write = 1; break;
+    case TR_PASS_COMPOSE:
+        state->color_write = 1;
+        state->depth_func = not_farther;
+        state->blend = 1;
+        state->blend_destination = TR_I_GL_SRC_ALPHA;
+        state->blend_source_alpha = TR_I_GL_ZERO;
+        state->blend_destination_alpha = TR_I_GL_ONE;
+        break;
+    case TR_PASS_OPAQUE_LINES:
+    case TR_PASS_TRANSPARENT_LINES:
+        state->color_write = 1;
+        state->depth_func = not_farther;
+        /* Creases leave no depth: they lie within their surface, and outlines are to go over them. */
+        state->depth_write = pass->lines == TR_LINES_OUTLINES;
+        break;
+    default: break;
+    }
+}
+
+static void tr_i_draw_triangle(tr_context *tr, const tr_state *state)
+{
+    int32_t vertex_array = 0;
+    /* The host's vertex array stays bound for its own draws. */
+    tr->gl.GetIntegerv(TR_I_GL_VERTEX_ARRAY_BINDING, &vertex_array);
+    tr->gl.BindVertexArray(state->vertex_array);
+    tr->gl.DrawArrays(TR_I_GL_TRIANGLES, 0, state->vertex_count);
+    tr->gl.BindVertexArray((tr_i_u)vertex_array);
+}
+
+TR_I_API int tr_next_pass(tr_context *tr, tr_pass *pass)
+{
+    if (!tr || !pass || !tr->in_frame)
+        return 0;
+    while (tr->next_pass < tr->plan.pass_count) {
+        const tr_plan_pass *plan = &tr->plan.passes[tr->next_pass++];
+        memset(pass, 0, sizeof *pass);
+        pass->kind = plan->kind;
+        pass->rule = plan->rule;
+        pass->classes = plan->classes;
+        pass->lines = plan->lines;
+        pass->name = tr_pass_kind_name(plan->kind);
+        tr_i_fill_bindings(tr, plan, &pass->state);
+        tr_i_fill_tests(tr, plan, &pass->state);
+        if (tr->desc.state == TR_STATE_NONE)
+            return 1;
+        tr_i_apply(tr, &pass->state);
+        if (pass->state.vertex_count == 0)
+            return 1;
+        tr_i_draw_triangle(tr, &pass->state);
+    }
+    return 0;
+}
+
+TR_I_API int tr_pass_draws(const tr_pass *pass, const tr_object *object)
+{
+    uint32_t flags;
+    if (!pass || !object)
+        return 0;
+    flags = object->flags & (TR_TRANSPARENT | TR_TWO_SIDED);
+    return (int)((pass->classes >> flags) & 1u);
+}
+
+TR_I_API void tr_set_material(tr_context *tr, const tr_pass *pass, const tr_material *material)
+{
+    const tr_i_program *program;
+    const tr_i_gl *gl;
+    if (!tr || !pass || !material || (unsigned)pass->rule >= (unsigned)TR_RULE_COUNT)
+        return;
+    gl = &tr->gl;
+    program = &tr->programs[TR_I_PROGRAM_SURFACE + (int)pass->rule];
+    gl->UniformMatrix4fv(program->model_view_projection, 1, 0, material->model_view_projection);
+    if (program->normal_matrix >= 0)
+        gl->UniformMatrix3fv(program->normal_matrix, 1, 0, material->normal_matrix);
+    if (program->color >= 0)
+        gl->Uniform4fv(program->color, 1, material->color);
+    if (program->falloff >= 0)
+        gl->Uniform2f(program->falloff, material->d_max, material->k);
+    if (program->object >= 0)
+        gl->Uniform1ui(program->object, material->object);
+}
+
+TR_I_API tr_result tr_end(tr_context *tr)
+{
+    if (!tr)
+        return TR_INVALID_ARGUMENT;
+    if (!tr->in_frame)
+        return tr_i_fail(&tr->desc, TR_WRONG_ORDER, "tr_end");
+    tr->in_frame = 0;
+    if (tr->plan.pass_count == 0)
+        return TR_OK;
+    if (tr->desc.state == TR_STATE_RESTORE) {
+        tr_i_restore(tr, &tr->saved);
+    } else if (tr->desc.state == TR_STATE_LEAVE_DEFAULTS) {
+        tr_i_save_defaults(tr, &tr->saved);
+        tr_i_restore(tr, &tr->saved);
+    }
+    return TR_OK;
+}
+
+#endif /* TRANSPARENCY_IMPLEMENTATION_ONCE */
+#endif /* TRANSPARENCY_IMPLEMENTATION */
+
+/*
+MIT License
+
+Copyright (c) 2026 the Glassine authors
+
+Permission is hereby granted, free of charge, to any person obtaining a copy of this software and associated
+documentation files (the "Software"), to deal in the Software without restriction, including without limitation the
+rights to use, copy, modify, merge, publish, distribute, sublicense, and/or sell copies of the Software, and to permit
+persons to whom the Software is furnished to do so, subject to the following conditions:
+
+The above copyright notice and this permission notice shall be included in all copies or substantial portions of the
+Software.
+
+THE SOFTWARE IS PROVIDED "AS IS", WITHOUT WARRANTY OF ANY KIND, EXPRESS OR IMPLIED, INCLUDING BUT NOT LIMITED TO THE
+WARRANTIES OF MERCHANTABILITY, FITNESS FOR A PARTICULAR PURPOSE AND NONINFRINGEMENT. IN NO EVENT SHALL THE AUTHORS OR
+COPYRIGHT HOLDERS BE LIABLE FOR ANY CLAIM, DAMAGES OR OTHER LIABILITY, WHETHER IN AN ACTION OF CONTRACT, TORT OR
+OTHERWISE, ARISING FROM, OUT OF OR IN CONNECTION WITH THE SOFTWARE OR THE USE OR OTHER DEALINGS IN THE SOFTWARE.
+*/
