@@ -69,7 +69,7 @@ The licence (MIT) stands at the end of this file.
 
 #define SHADERS_VERSION 100 /* major * 10000 + minor * 100 + patch: 0.1.0 */
 
-/* How the functions are declared; not for users. */
+/* How the functions are declared; not for users. A file need not use all that are static in it. */
 #if !defined(SHADERS_STATIC)
 #define SHADERS_DEF extern
 #elif defined(__GNUC__) || defined(__clang__)
@@ -364,7 +364,7 @@ static const char *const shaders_i_shader_surface_vert[] = {
 static const char *const shaders_i_shader_surface_rules_glsl[] = {
     "#line 1\n"
     "// For: transparency.h\n"
-    "// Fragment stage. What a surface fragment does in each pass of a sequence: Diepstraten 2002, section 6.1, as amended.\n"
+    "// Fragment stage. What a surface fragment does in each pass of a sequence: Diepstraten 2002, section 6, as amended.\n"
     "//\n"
     "// A host's fragment shader calls tr_surface(color, object) once, last, in main. TR_RULE is defined by the preamble.\n"
     "// Depths are written and compared as the shader sees them (gl_FragCoord.z, stored unrounded in 32-bit float depth), so\n"
@@ -374,7 +374,7 @@ static const char *const shaders_i_shader_surface_rules_glsl[] = {
     "#define TR_RULE_OWNER 1         // whose it is: the lowest object id among those that tie\n"
     "#define TR_RULE_LIMIT 2         // where opaque things stop to show: one-sided transparent objects\n"
     "#define TR_RULE_LIMIT_SHEET 3   // the same for two-sided ones, whose both sides count as front\n"
-    "#define TR_RULE_LIMIT_ALONE 4   // the same for the only transparent object of a scene\n"
+    "#define TR_RULE_LIMIT_BEHIND 4  // whatever faces the pass culls not, behind the front-most one\n"
     "#define TR_RULE_OPAQUE 5        // opaque colour\n"
     "#define TR_RULE_BLENDED 6       // the one transparent fragment of a pixel\n"
     "#define TR_RULE_BLENDED_ALONE 7 // the same when no other transparent object can tie\n"
@@ -430,7 +430,7 @@ static const char *const shaders_i_shader_surface_rules_glsl[] = {
     "#elif TR_RULE == TR_RULE_LIMIT_SHEET\n"
     "    if (owner || TR_BEHIND(front, depth))\n"
     "        discard;\n"
-    "#elif TR_RULE == TR_RULE_LIMIT_ALONE\n"
+    "#elif TR_RULE == TR_RULE_LIMIT_BEHIND\n"
     "    if (!TR_BEHIND(depth, front))\n"
     "        discard;\n"
     "#elif TR_RULE == TR_RULE_BLENDED\n"

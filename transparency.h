@@ -13,8 +13,8 @@
    DOES NOT
    - create a GL context, load models, find silhouettes or their distances: silhouette.h does the last two, or anything
      else that fills plain arrays
-   - show what lies inside hollow objects whose inner walls are modelled (the paper's method II), several layers, or
-     units behind things: version 0.1 has the paper's method I ("implicit interiors")
+   - show several layers, semantic groups, or units behind things: version 0.1 has the paper's two methods, implicit and
+     explicit interiors, chosen for a whole frame
    - draw into multisampled targets: create refuses nothing, tr_begin returns TR_TARGET_MULTISAMPLED. Render larger and
      scale down instead, as examples/illustrate.c does
 
@@ -112,7 +112,7 @@
 
    LIMITS AND PRECISION
    - Depths are 32-bit floats; layers are told apart down to one unit in the last place. Where an opaque surface and the
-     front-most transparent one have exactly the same depth the opaque one is seen.
+     front-most transparent one have exactly the same depth the opaque one is seen through the other.
    - Coincident front faces count as one surface, that of the lowest object id; another object's coincident front face
      limits what is seen through it as if it were behind. Ids are below 2^24 - 1.
    - Colours pass through 8-bit textures once before the target's own rounding: 1/255 at the most.
@@ -202,8 +202,9 @@ typedef struct tr_scene {
 } tr_scene;
 
 typedef enum tr_interior {
-    TR_INTERIOR_IMPLICIT,          /* Diepstraten 6.1 (method I), mended: see docs/transparency.md */
-    TR_INTERIOR_IMPLICIT_PUBLISHED /* as the paper has it, with its two faults */
+    TR_INTERIOR_IMPLICIT,           /* Diepstraten 6.1 (method I), mended: opaque things show up to the next back face */
+    TR_INTERIOR_IMPLICIT_PUBLISHED, /* the same as the paper has it, with its two faults: see docs/transparency.md */
+    TR_INTERIOR_EXPLICIT            /* Diepstraten 6.2 (method II): up to the next front face; for modelled inner walls */
 } tr_interior;
 
 /* alpha and C of the transparent surface; w: weight of what is behind it, D: its colour. */
@@ -259,7 +260,7 @@ typedef enum tr_rule {
     TR_RULE_OWNER,
     TR_RULE_LIMIT,
     TR_RULE_LIMIT_SHEET,
-    TR_RULE_LIMIT_ALONE,
+    TR_RULE_LIMIT_BEHIND,
     TR_RULE_OPAQUE,
     TR_RULE_BLENDED,
     TR_RULE_BLENDED_ALONE,
@@ -286,7 +287,7 @@ typedef struct tr_plan {
 } tr_plan;
 
 /* Pure CPU: the fewest passes that draw what is there and wished. Returns TR_INVALID_ARGUMENT for values out of range. */
-TR_DEF tr_result tr_plan_make(const tr_scene *scene, const tr_wishes *wishes, tr_plan *plan);
+TR_DEF tr_result tr_plan_make(const tr_scene *counts, const tr_wishes *wishes, tr_plan *plan);
 /* The plan as text, a line a pass. Writes at most capacity bytes with a final 0; returns the length needed without it. */
 TR_DEF size_t tr_plan_print(const tr_plan *plan, char *text, size_t capacity);
 TR_DEF const char *tr_pass_kind_name(tr_pass_kind kind);
@@ -658,7 +659,7 @@ static const char *const tr_i_shader_surface_vert[] = {
 static const char *const tr_i_shader_surface_rules_glsl[] = {
     "#line 1\n"
     "// For: transparency.h\n"
-    "// Fragment stage. What a surface fragment does in each pass of a sequence: Diepstraten 2002, section 6.1, as amended.\n"
+    "// Fragment stage. What a surface fragment does in each pass of a sequence: Diepstraten 2002, section 6, as amended.\n"
     "//\n"
     "// A host's fragment shader calls tr_surface(color, object) once, last, in main. TR_RULE is defined by the preamble.\n"
     "// Depths are written and compared as the shader sees them (gl_FragCoord.z, stored unrounded in 32-bit float depth), so\n"
@@ -668,7 +669,7 @@ static const char *const tr_i_shader_surface_rules_glsl[] = {
     "#define TR_RULE_OWNER 1         // whose it is: the lowest object id among those that tie\n"
     "#define TR_RULE_LIMIT 2         // where opaque things stop to show: one-sided transparent objects\n"
     "#define TR_RULE_LIMIT_SHEET 3   // the same for two-sided ones, whose both sides count as front\n"
-    "#define TR_RULE_LIMIT_ALONE 4   // the same for the only transparent object of a scene\n"
+    "#define TR_RULE_LIMIT_BEHIND 4  // whatever faces the pass culls not, behind the front-most one\n"
     "#define TR_RULE_OPAQUE 5        // opaque colour\n"
     "#define TR_RULE_BLENDED 6       // the one transparent fragment of a pixel\n"
     "#define TR_RULE_BLENDED_ALONE 7 // the same when no other transparent object can tie\n"
@@ -724,7 +725,7 @@ static const char *const tr_i_shader_surface_rules_glsl[] = {
     "#elif TR_RULE == TR_RULE_LIMIT_SHEET\n"
     "    if (owner || TR_BEHIND(front, depth))\n"
     "        discard;\n"
-    "#elif TR_RULE == TR_RULE_LIMIT_ALONE\n"
+    "#elif TR_RULE == TR_RULE_LIMIT_BEHIND\n"
     "    if (!TR_BEHIND(depth, front))\n"
     "        discard;\n"
     "#elif TR_RULE == TR_RULE_BLENDED\n"
@@ -1112,19 +1113,19 @@ TR_I_API const char *tr_pass_kind_name(tr_pass_kind kind)
 
 TR_I_API tr_scene tr_scene_count(const void *objects, size_t count, size_t stride)
 {
-    tr_scene scene = {0, 0, 0, 0};
+    tr_scene counts = {0, 0, 0, 0};
     size_t i;
     for (i = 0; objects && i < count; ++i) {
         tr_object object;
         memcpy(&object, (const char *)objects + i * stride, sizeof object);
         switch (object.flags & (TR_TRANSPARENT | TR_TWO_SIDED)) {
-        case TR_OPAQUE: ++scene.opaque; break;
-        case TR_TWO_SIDED: ++scene.opaque_two_sided; break;
-        case TR_TRANSPARENT: ++scene.transparent; break;
-        default: ++scene.transparent_two_sided; break;
+        case TR_OPAQUE: ++counts.opaque; break;
+        case TR_TWO_SIDED: ++counts.opaque_two_sided; break;
+        case TR_TRANSPARENT: ++counts.transparent; break;
+        default: ++counts.transparent_two_sided; break;
         }
     }
-    return scene;
+    return counts;
 }
 
 #define TR_I_CLASS(flags) (1u << (flags))
@@ -1173,20 +1174,25 @@ static void tr_i_add_lines(tr_plan *plan, tr_pass_kind kind, uint32_t lines, uin
 }
 
 /* Where opaque things stop to show: SCENE_DEPTH before anything opaque is drawn into it. */
-static void tr_i_add_limit(tr_plan *plan, const tr_scene *scene, const tr_wishes *wishes, int alone)
+static void tr_i_add_limit(tr_plan *plan, const tr_scene *counts, const tr_wishes *wishes, int alone)
 {
     tr_plan_pass *pass;
     int published = wishes->interior == TR_INTERIOR_IMPLICIT_PUBLISHED;
-    if (scene->transparent) {
+    if (wishes->interior == TR_INTERIOR_EXPLICIT) {
+        tr_i_add_surfaces(plan, TR_PASS_LIMIT, TR_RULE_LIMIT_BEHIND, counts->transparent, counts->transparent_two_sided,
+                          TR_TRANSPARENT, "explicit interiors: the second-closest front face");
+        return;
+    }
+    if (counts->transparent) {
         pass = tr_i_add_pass(plan, TR_PASS_LIMIT,
                              published ? "published: the nearest back face of all"
                              : alone   ? "back faces behind the front-most face"
                                        : "back faces, and fronts of other objects, behind the front-most face");
-        pass->rule = published ? TR_RULE_FRONT : alone ? TR_RULE_LIMIT_ALONE : TR_RULE_LIMIT;
+        pass->rule = published ? TR_RULE_FRONT : alone ? TR_RULE_LIMIT_BEHIND : TR_RULE_LIMIT;
         pass->classes = TR_I_CLASS(TR_TRANSPARENT);
         pass->cull = published || alone ? 2 : 0;
     }
-    if (scene->transparent_two_sided && !published && !alone) {
+    if (counts->transparent_two_sided && !published && !alone) {
         pass = tr_i_add_pass(plan, TR_PASS_LIMIT, "sheets of other objects behind the front-most face");
         pass->rule = TR_RULE_LIMIT_SHEET;
         pass->classes = TR_I_CLASS(TR_TRANSPARENT | TR_TWO_SIDED);
@@ -1219,42 +1225,42 @@ static void tr_i_plan_textures(tr_plan *plan)
         plan->bytes_per_pixel += 4 * ((plan->textures >> i) & 1u);
 }
 
-TR_I_API tr_result tr_plan_make(const tr_scene *scene, const tr_wishes *wishes, tr_plan *plan)
+TR_I_API tr_result tr_plan_make(const tr_scene *counts, const tr_wishes *wishes, tr_plan *plan)
 {
     uint32_t transparent, opaque;
     int alone;
-    if (!scene || !wishes || !plan || (unsigned)wishes->interior > TR_INTERIOR_IMPLICIT_PUBLISHED ||
+    if (!counts || !wishes || !plan || (unsigned)wishes->interior > TR_INTERIOR_EXPLICIT ||
         (unsigned)wishes->blending > TR_BLENDING_PUBLISHED || wishes->lines > (TR_LINES_CREASES | TR_LINES_OUTLINES))
         return TR_INVALID_ARGUMENT;
     memset(plan, 0, sizeof *plan);
-    transparent = scene->transparent || scene->transparent_two_sided;
-    opaque = scene->opaque || scene->opaque_two_sided;
+    transparent = counts->transparent || counts->transparent_two_sided;
+    opaque = counts->opaque || counts->opaque_two_sided;
     /* Counts may be large enough to wrap when added; either being over one rules "alone" out. */
-    alone = scene->transparent <= 1 && scene->transparent_two_sided <= 1 &&
-            scene->transparent + scene->transparent_two_sided == 1;
+    alone = counts->transparent <= 1 && counts->transparent_two_sided <= 1 &&
+            counts->transparent + counts->transparent_two_sided == 1;
     if (!transparent && !opaque)
         return TR_OK;
     if (transparent) {
-        tr_i_add_surfaces(plan, TR_PASS_FRONT, TR_RULE_FRONT, scene->transparent, scene->transparent_two_sided,
+        tr_i_add_surfaces(plan, TR_PASS_FRONT, TR_RULE_FRONT, counts->transparent, counts->transparent_two_sided,
                           TR_TRANSPARENT, "transparent objects: the front-most face alone is blended");
         if (!alone)
-            tr_i_add_surfaces(plan, TR_PASS_OWNER, TR_RULE_OWNER, scene->transparent, scene->transparent_two_sided,
+            tr_i_add_surfaces(plan, TR_PASS_OWNER, TR_RULE_OWNER, counts->transparent, counts->transparent_two_sided,
                               TR_TRANSPARENT, "several transparent objects: faces may tie, and limit each other");
     }
     /* Without an opaque thing nothing can be seen through a surface but the background, whatever the limit. */
     if (transparent && opaque)
-        tr_i_add_limit(plan, scene, wishes, alone);
+        tr_i_add_limit(plan, counts, wishes, alone);
     else if (transparent && wishes->interior == TR_INTERIOR_IMPLICIT_PUBLISHED)
-        tr_i_add_limit(plan, scene, wishes, alone); /* published: back faces hide front faces too */
-    tr_i_add_surfaces(plan, TR_PASS_OPAQUE, TR_RULE_OPAQUE, scene->opaque, scene->opaque_two_sided, TR_OPAQUE,
+        tr_i_add_limit(plan, counts, wishes, alone); /* published: back faces hide front faces too */
+    tr_i_add_surfaces(plan, TR_PASS_OPAQUE, TR_RULE_OPAQUE, counts->opaque, counts->opaque_two_sided, TR_OPAQUE,
                       "opaque objects before the limit");
     if (opaque && wishes->lines) {
         tr_i_add_pass(plan, TR_PASS_COPY_DEPTH, "opaque lines read the depth that they write");
         tr_i_add_lines(plan, TR_PASS_OPAQUE_LINES, wishes->lines, TR_I_ALL_OPAQUE);
     }
     if (transparent)
-        tr_i_add_surfaces(plan, TR_PASS_BLENDED, alone ? TR_RULE_BLENDED_ALONE : TR_RULE_BLENDED, scene->transparent,
-                          scene->transparent_two_sided, TR_TRANSPARENT, "the front-most transparent face");
+        tr_i_add_surfaces(plan, TR_PASS_BLENDED, alone ? TR_RULE_BLENDED_ALONE : TR_RULE_BLENDED, counts->transparent,
+                          counts->transparent_two_sided, TR_TRANSPARENT, "the front-most transparent face");
     tr_i_add_pass(plan, TR_PASS_COMPOSE, "the layer over what is behind it, into the target");
     if (transparent)
         tr_i_add_lines(plan, TR_PASS_TRANSPARENT_LINES, wishes->lines, TR_I_ALL_TRANSPARENT);
@@ -2223,7 +2229,7 @@ static uint32_t tr_i_reads(const tr_plan_pass *pass, uint32_t textures)
     case TR_PASS_BLENDED:
         if (pass->rule != TR_RULE_FRONT)
             reads = 1u << TR_I_FRONT_DEPTH;
-        if (pass->rule != TR_RULE_FRONT && pass->rule != TR_RULE_LIMIT_ALONE && pass->rule != TR_RULE_BLENDED_ALONE)
+        if (pass->rule != TR_RULE_FRONT && pass->rule != TR_RULE_LIMIT_BEHIND && pass->rule != TR_RULE_BLENDED_ALONE)
             reads |= 1u << TR_I_FRONT_OWNER;
         return reads;
     case TR_PASS_COPY_DEPTH:
@@ -2294,8 +2300,11 @@ static void tr_i_fill_tests(const tr_context *tr, const tr_plan_pass *pass, tr_s
         state->clear_depth_value = 1.0f;
         break;
     case TR_PASS_COPY_DEPTH: state->depth_func = TR_I_GL_ALWAYS; break;
-    case TR_PASS_OPAQUE:
-    case TR_PASS_BLENDED: state->color_write = 1; break;
+    case TR_PASS_OPAQUE: state->color_write = 1; break;
+    case TR_PASS_BLENDED: /* where an opaque surface lies in the transparent one, the latter is seen, and it behind */
+        state->color_write = 1;
+        state->depth_func = not_farther;
+        break;
     case TR_PASS_COMPOSE:
         state->color_write = 1;
         state->depth_func = not_farther;

@@ -1,5 +1,5 @@
 // For: transparency.h
-// Fragment stage. What a surface fragment does in each pass of a sequence: Diepstraten 2002, section 6.1, as amended.
+// Fragment stage. What a surface fragment does in each pass of a sequence: Diepstraten 2002, section 6, as amended.
 //
 // A host's fragment shader calls tr_surface(color, object) once, last, in main. TR_RULE is defined by the preamble.
 // Depths are written and compared as the shader sees them (gl_FragCoord.z, stored unrounded in 32-bit float depth), so
@@ -9,7 +9,7 @@
 #define TR_RULE_OWNER 1         // whose it is: the lowest object id among those that tie
 #define TR_RULE_LIMIT 2         // where opaque things stop to show: one-sided transparent objects
 #define TR_RULE_LIMIT_SHEET 3   // the same for two-sided ones, whose both sides count as front
-#define TR_RULE_LIMIT_ALONE 4   // the same for the only transparent object of a scene
+#define TR_RULE_LIMIT_BEHIND 4  // whatever faces the pass culls not, behind the front-most one
 #define TR_RULE_OPAQUE 5        // opaque colour
 #define TR_RULE_BLENDED 6       // the one transparent fragment of a pixel
 #define TR_RULE_BLENDED_ALONE 7 // the same when no other transparent object can tie
@@ -65,7 +65,7 @@ void tr_surface(highp vec4 color, highp uint object)
 #elif TR_RULE == TR_RULE_LIMIT_SHEET
     if (owner || TR_BEHIND(front, depth))
         discard;
-#elif TR_RULE == TR_RULE_LIMIT_ALONE
+#elif TR_RULE == TR_RULE_LIMIT_BEHIND
     if (!TR_BEHIND(depth, front))
         discard;
 #elif TR_RULE == TR_RULE_BLENDED

@@ -1,0 +1,1032 @@
+/* illustrate_render.c: a scene becomes a picture. silhouette.h finds the lines and the distances on the CPU,
+ * transparency.h says what is drawn when, and this file owns the buffers, the camera and the pixels.
+ *
+ * The picture is drawn larger (job.quality a side) in tiles and averaged: lines and edges come out clean on every
+ * driver, and no size is too large for a texture. */
+#include "illustrate_render.h"
+#include "refine.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#define GLAD_GL_IMPLEMENTATION
+#define GLAD_GLES2_IMPLEMENTATION
+#include <glad/gl.h>
+
+#define SILHOUETTE_IMPLEMENTATION
+#include "silhouette.h"
+#define TRANSPARENCY_IMPLEMENTATION
+#include "transparency.h"
+
+enum { TILE = 2048, MARGIN = 16 }; /* drawn pixels; the margin keeps lines whole across tile borders */
+
+/* One mesh on the GPU and as silhouette.h knows it. Parts that are transparent have one of their own, finely divided. */
+typedef struct surface {
+    float *positions, *normals, *colors; /* colors may be NULL */
+    uint32_t *indices;
+    size_t vertex_count, index_count;
+    bool owned; /* the arrays are ours, not the scene's */
+    sil_mesh *mesh;
+    GLuint buffer, index_buffer; /* positions, normals, colours one after the other */
+    bool sheet, inward;
+    double volume, box_volume; /* enclosed; of the bounding box */
+} surface;
+
+typedef struct figure {
+    tr_object object; /* first: tr_scene_count reads it */
+    const scene_part *part;
+    size_t surface;
+    double model_view[16];
+    bool mirrored;
+    float d_max;
+    GLuint array, distance_buffer, line_array, line_buffer;
+    sil_edge *edges;
+    sil_strip *strips;
+    uint32_t *strip_vertices;
+    size_t crease_strips, strip_count; /* creases come first */
+    GLsizei crease_vertices, outline_vertices;
+} figure;
+
+typedef struct renderer {
+    const illustrate_job *job;
+    illustrate_result *result;
+    illustrate_style style;
+    surface *surfaces;
+    figure *figures;
+    size_t surface_count, figure_count;
+    double view[16], projection[16];
+    tr_context *tr;
+    tr_interior interior;
+    GLuint framebuffer, color, depth;
+    int tile_width, tile_height;
+    double pass_ms[TR_MAX_PASSES], cpu_ms;
+} renderer;
+
+/* ---- small things -------------------------------------------------------------------------------------------- */
+
+static bool broken(renderer *r, const char *format, ...) {
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(r->result->message, sizeof r->result->message, format, arguments);
+    va_end(arguments);
+    return false;
+}
+
+static bool no_memory(renderer *r) {
+    return broken(r, "out of memory");
+}
+
+static void report(const renderer *r, const char *what, double fraction) {
+    if (r->job->progress)
+        r->job->progress(what, fraction, r->job->user);
+}
+
+static double now_ms(void) {
+    struct timespec t;
+    timespec_get(&t, TIME_UTC);
+    return (double)t.tv_sec * 1e3 + (double)t.tv_nsec * 1e-6;
+}
+
+static void to_float(const double m[16], float out[16]) {
+    for (int i = 0; i < 16; ++i)
+        out[i] = (float)m[i];
+}
+
+static double determinant3(const double m[16]) {
+    return m[0] * (m[5] * m[10] - m[6] * m[9]) - m[4] * (m[1] * m[10] - m[2] * m[9]) +
+           m[8] * (m[1] * m[6] - m[2] * m[5]);
+}
+
+/* Of the upper left 3x3: cofactors, signed so that normals keep their side under mirroring. */
+static void normal_matrix(const double m[16], float out[9]) {
+    double sign = determinant3(m) < 0 ? -1 : 1, largest = 0, cofactors[9];
+    for (int c = 0; c < 3; ++c) {
+        const double *p = m + 4 * ((c + 1) % 3), *q = m + 4 * ((c + 2) % 3);
+        for (int i = 0; i < 3; ++i) {
+            int a = (i + 1) % 3, b = (i + 2) % 3;
+            cofactors[3 * c + i] = sign * (p[a] * q[b] - p[b] * q[a]);
+            largest = fmax(largest, fabs(cofactors[3 * c + i]));
+        }
+    }
+    for (int i = 0; i < 9; ++i)
+        out[i] = (float)(largest > 0 ? cofactors[i] / largest : 0);
+}
+
+static void transform_point(const double m[16], const float p[3], double out[4]) {
+    for (int i = 0; i < 4; ++i)
+        out[i] = m[i] * (double)p[0] + m[4 + i] * (double)p[1] + m[8 + i] * (double)p[2] + m[12 + i];
+}
+
+/* ---- surfaces ------------------------------------------------------------------------------------------------ */
+
+static void sil_said(int level, int code, const char *text, void *user) {
+    (void)level, (void)code;
+    if (((const illustrate_job *)user)->verbose)
+        fprintf(stderr, "%s\n", text);
+}
+
+/* Closed enough to have an inside: the areas of a closed surface, as vectors, add up to nothing. Small cracks change
+ * little. Also which way the triangles face, and how much of its box the surface fills. */
+static void classify_surface(surface *s) {
+    double area[3] = {0, 0, 0}, total = 0, volume = 0, low[3], high[3];
+    for (int k = 0; k < 3; ++k)
+        low[k] = high[k] = s->vertex_count ? (double)s->positions[k] : 0;
+    for (size_t i = 0; i < s->vertex_count; ++i)
+        for (int k = 0; k < 3; ++k) {
+            low[k] = fmin(low[k], (double)s->positions[3 * i + (size_t)k]);
+            high[k] = fmax(high[k], (double)s->positions[3 * i + (size_t)k]);
+        }
+    for (size_t t = 0; t + 2 < s->index_count; t += 3) {
+        double v[3][3], n[3];
+        for (int c = 0; c < 3; ++c)
+            for (int k = 0; k < 3; ++k)
+                v[c][k] = (double)s->positions[3 * s->indices[t + (size_t)c] + (size_t)k] - low[k];
+        for (int k = 0; k < 3; ++k) {
+            int a = (k + 1) % 3, b = (k + 2) % 3;
+            n[k] = (v[1][a] - v[0][a]) * (v[2][b] - v[0][b]) - (v[1][b] - v[0][b]) * (v[2][a] - v[0][a]);
+            area[k] += n[k];
+            volume += n[k] * v[0][k] / 6;
+        }
+        total += sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+    }
+    double box = (high[0] - low[0]) * (high[1] - low[1]) * (high[2] - low[2]);
+    double open = sqrt(area[0] * area[0] + area[1] * area[1] + area[2] * area[2]);
+    s->sheet =
+        !(open <= 0.02 * total) || sil_mesh_get_info(s->mesh).flipped_edge_count > 0 || !(fabs(volume) > 1e-6 * box);
+    s->inward = !s->sheet && volume < 0;
+    s->volume = fabs(volume);
+    s->box_volume = box;
+}
+
+static bool find_edges_of(renderer *r, surface *s) {
+    sil_mesh_desc desc;
+    sil_result result;
+    memset(&desc, 0, sizeof desc);
+    desc.positions = s->positions;
+    desc.vertex_count = s->vertex_count;
+    desc.indices = s->indices;
+    desc.index_count = s->index_count;
+    desc.log_fn = sil_said;
+    desc.log_user = (void *)(uintptr_t)r->job;
+    s->mesh = sil_mesh_create(&desc, &result);
+    if (!s->mesh)
+        return broken(r, "silhouettes: %s", sil_result_string(result));
+    classify_surface(s);
+    return true;
+}
+
+static bool upload_surface(renderer *r, surface *s) {
+    size_t bytes = s->vertex_count * 3 * sizeof(float);
+    (void)r;
+    glGenBuffers(1, &s->buffer);
+    glBindBuffer(GL_ARRAY_BUFFER, s->buffer);
+    glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)(3 * bytes), NULL, GL_STATIC_DRAW);
+    glBufferSubData(GL_ARRAY_BUFFER, 0, (GLsizeiptr)bytes, s->positions);
+    glBufferSubData(GL_ARRAY_BUFFER, (GLintptr)bytes, (GLsizeiptr)bytes, s->normals);
+    if (s->colors)
+        glBufferSubData(GL_ARRAY_BUFFER, (GLintptr)(2 * bytes), (GLsizeiptr)bytes, s->colors);
+    glGenBuffers(1, &s->index_buffer);
+    glBindVertexArray(0);
+    glBindBuffer(GL_COPY_WRITE_BUFFER, s->index_buffer);
+    glBufferData(GL_COPY_WRITE_BUFFER, (GLsizeiptr)(s->index_count * sizeof(uint32_t)), s->indices, GL_STATIC_DRAW);
+    return true;
+}
+
+/* ---- which parts are transparent ------------------------------------------------------------------------------ */
+
+static void part_box(const scene *s, const scene_part *part, double low[3], double high[3]) {
+    const scene_mesh *mesh = &s->meshes[part->mesh];
+    for (int k = 0; k < 3; ++k)
+        low[k] = INFINITY, high[k] = -INFINITY;
+    for (size_t i = 0; i < mesh->vertex_count; ++i) {
+        double p[4];
+        transform_point(part->transform, mesh->positions + 3 * i, p);
+        for (int k = 0; k < 3; ++k) {
+            low[k] = fmin(low[k], p[k]);
+            high[k] = fmax(high[k], p[k]);
+        }
+    }
+}
+
+/* Whether a ray from `start` along an axis meets the triangle: the point's projection within it, the plane ahead. */
+static bool ray_meets(const double v[3][4], const double start[3], int axis, double sign) {
+    int a = (axis + 1) % 3, b = (axis + 2) % 3;
+    double area[3], sum = 0, at = 0;
+    for (int c = 0; c < 3; ++c) {
+        const double *p = v[(c + 1) % 3], *q = v[(c + 2) % 3];
+        area[c] = (p[a] - start[a]) * (q[b] - start[b]) - (p[b] - start[b]) * (q[a] - start[a]);
+        sum += area[c];
+        at += area[c] * v[c][axis];
+    }
+    bool inside = (area[0] >= 0 && area[1] >= 0 && area[2] >= 0) || (area[0] <= 0 && area[1] <= 0 && area[2] <= 0);
+    return inside && sum != 0 && (at / sum - start[axis]) * sign > 0;
+}
+
+/* Whether `outer` closes `start` off in at least five of the six axis directions. */
+static bool surrounds(const scene *s, const scene_part *outer, const double start[3]) {
+    const scene_mesh *mesh = &s->meshes[outer->mesh];
+    bool met[6] = {false, false, false, false, false, false};
+    for (size_t t = 0; t + 2 < mesh->index_count; t += 3) {
+        double v[3][4];
+        for (size_t c = 0; c < 3; ++c)
+            transform_point(outer->transform, mesh->positions + 3 * (size_t)mesh->indices[t + c], v[c]);
+        for (int d = 0; d < 6; ++d)
+            met[d] = met[d] || ray_meets((const double(*)[4])v, start, d / 2, d % 2 ? -1 : 1);
+    }
+    return met[0] + met[1] + met[2] + met[3] + met[4] + met[5] >= 5;
+}
+
+/* encloses[i]: part i surrounds the middle of another part that lies within its box. */
+static bool find_enclosing(const scene *s, bool *encloses) {
+    double(*low)[3] = malloc((s->part_count + 1) * sizeof *low),
+    (*high)[3] = malloc((s->part_count + 1) * sizeof *high);
+    for (size_t i = 0; low && high && i < s->part_count; ++i)
+        part_box(s, &s->parts[i], low[i], high[i]);
+    for (size_t i = 0; low && high && i < s->part_count; ++i) {
+        size_t tried = 0;
+        for (size_t j = 0; j < s->part_count && !encloses[i] && tried < 8; ++j) {
+            bool within = i != j && !s->parts[i].hidden && !s->parts[j].hidden;
+            double middle[3];
+            for (int k = 0; k < 3; ++k) {
+                within = within && low[j][k] >= low[i][k] && high[j][k] <= high[i][k];
+                middle[k] = 0.5 * (low[j][k] + high[j][k]);
+            }
+            if (within) {
+                ++tried;
+                encloses[i] = surrounds(s, &s->parts[i], middle);
+            }
+        }
+    }
+    /* Of boxes within boxes only the outermost opens up: nothing would show through a second one. */
+    for (size_t i = 0; low && high && i < s->part_count; ++i)
+        for (size_t j = 0; j < s->part_count && encloses[i]; ++j) {
+            bool within = j != i && encloses[j];
+            for (int k = 0; k < 3; ++k)
+                within = within && low[i][k] >= low[j][k] && high[i][k] <= high[j][k];
+            if (within && (low[i][0] != low[j][0] || high[i][0] != high[j][0] || j < i))
+                encloses[i] = false;
+        }
+    bool ok = low && high;
+    free(low);
+    free(high);
+    return ok;
+}
+
+/* One byte a part: transparent or not. Where the scene says nothing, parts that enclose others are. */
+static unsigned char *choose_transparent(renderer *r) {
+    const scene *s = r->job->scene;
+    unsigned char *transparent = calloc(s->part_count + 1, 1);
+    bool *encloses = calloc(s->part_count + 1, sizeof *encloses);
+    bool any = false, hodges = r->job->style == STYLE_AUTO || r->job->style == STYLE_HODGES;
+    for (size_t i = 0; transparent && i < s->part_count; ++i) {
+        unsigned char asked = r->job->transparent ? r->job->transparent[i] : (unsigned char)PART_AUTO;
+        transparent[i] = hodges && !s->parts[i].hidden &&
+                         (asked == PART_TRANSPARENT || (asked == PART_AUTO && s->parts[i].opacity < 1.0f));
+        any = any || transparent[i];
+    }
+    bool ok = transparent && encloses && (any || !hodges || find_enclosing(s, encloses));
+    for (size_t i = 0; ok && !any && i < s->part_count; ++i)
+        transparent[i] = encloses[i] && !(r->job->transparent && r->job->transparent[i] == PART_OPAQUE);
+    free(encloses);
+    if (!ok) {
+        free(transparent);
+        no_memory(r);
+        return NULL;
+    }
+    return transparent;
+}
+
+/* ---- figures: parts as they are drawn -------------------------------------------------------------------------- */
+
+/* The surface of a mesh, shared by all opaque parts of it. */
+static void borrow_surface(const scene_mesh *mesh, surface *s) {
+    s->positions = mesh->positions;
+    s->normals = mesh->normals;
+    s->colors = mesh->colors;
+    s->indices = mesh->indices;
+    s->vertex_count = mesh->vertex_count;
+    s->index_count = mesh->index_count - mesh->index_count % 3;
+}
+
+/* A finer copy for a transparent part: alpha is linear within a triangle, and needs about this many steps. */
+static bool refine_surface(renderer *r, const scene_mesh *mesh, surface *s) {
+    double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY}, diagonal = 0;
+    scene_mesh fine;
+    for (size_t i = 0; i < 3 * mesh->vertex_count; ++i) {
+        low[i % 3] = fmin(low[i % 3], (double)mesh->positions[i]);
+        high[i % 3] = fmax(high[i % 3], (double)mesh->positions[i]);
+    }
+    for (int k = 0; k < 3; ++k)
+        diagonal += (high[k] - low[k]) * (high[k] - low[k]);
+    if (!refine_mesh(mesh, sqrt(diagonal) / 40, 400000, &fine))
+        return no_memory(r);
+    borrow_surface(&fine, s);
+    s->owned = true;
+    return true;
+}
+
+static bool make_figures(renderer *r) {
+    const scene *s = r->job->scene;
+    unsigned char *transparent = choose_transparent(r);
+    size_t extra = 0;
+    if (!transparent)
+        return false;
+    for (size_t i = 0; i < s->part_count; ++i)
+        extra += transparent[i] != 0;
+    r->surface_count = s->mesh_count + extra;
+    r->surfaces = calloc(r->surface_count + 1, sizeof *r->surfaces);
+    r->figures = calloc(s->part_count + 1, sizeof *r->figures);
+    bool ok = r->surfaces && r->figures ? true : no_memory(r);
+    extra = s->mesh_count;
+    for (size_t m = 0; ok && m < s->mesh_count; ++m) {
+        borrow_surface(&s->meshes[m], &r->surfaces[m]);
+        ok = find_edges_of(r, &r->surfaces[m]);
+    }
+    for (size_t i = 0; ok && i < s->part_count; ++i) {
+        figure *f = &r->figures[r->figure_count];
+        if (s->parts[i].hidden || s->meshes[s->parts[i].mesh].index_count < 3)
+            continue;
+        f->part = &s->parts[i];
+        f->surface = f->part->mesh;
+        f->object.id = (uint32_t)++r->figure_count;
+        f->object.flags = transparent[i] ? (uint32_t)TR_TRANSPARENT : 0;
+        if (transparent[i]) {
+            f->surface = extra++;
+            ok = refine_surface(r, &s->meshes[f->part->mesh], &r->surfaces[f->surface]) &&
+                 find_edges_of(r, &r->surfaces[f->surface]);
+            /* Rounded midpoints must not change what the coarse mesh is. */
+            r->surfaces[f->surface].sheet = r->surfaces[f->part->mesh].sheet;
+            r->surfaces[f->surface].inward = r->surfaces[f->part->mesh].inward;
+        }
+        if (r->surfaces[f->surface].sheet)
+            f->object.flags |= TR_TWO_SIDED;
+    }
+    free(transparent);
+    return ok ? true : r->result->message[0] ? false : no_memory(r);
+}
+
+/* ---- the camera ------------------------------------------------------------------------------------------------ */
+
+/* The view's rotation: rows right, up, toward the eye. */
+static void camera_axes(const illustrate_job *job, double axes[3][3]) {
+    double a = job->azimuth * 0.017453292519943295, e = job->elevation * 0.017453292519943295;
+    const double right[3] = {cos(a), 0, -sin(a)}, up[3] = {-sin(a) * sin(e), cos(e), -cos(a) * sin(e)};
+    const double toward[3] = {sin(a) * cos(e), sin(e), cos(a) * cos(e)};
+    const double *rows[3] = {right, up, toward};
+    for (int i = 0; i < 3; ++i) {
+        axes[i][0] = rows[i][0];
+        axes[i][1] = job->scene->up_axis == 2 ? -rows[i][2] : rows[i][1];
+        axes[i][2] = job->scene->up_axis == 2 ? rows[i][1] : rows[i][2];
+    }
+}
+
+/* Extents of all that is drawn, in eye space seen from `distance` (INFINITY: orthographic): the projected rectangle and
+ * the depth range. */
+typedef struct extent {
+    double low[3], high[3];
+} extent;
+
+static extent measure(const renderer *r, bool perspective) {
+    extent e = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+    for (size_t i = 0; i < r->figure_count; ++i) {
+        const figure *f = &r->figures[i];
+        const surface *s = &r->surfaces[f->part->mesh];
+        double to_eye[16];
+        scene_multiply(r->view, f->part->transform, to_eye);
+        for (size_t v = 0; v < s->vertex_count; ++v) {
+            double p[4];
+            transform_point(to_eye, s->positions + 3 * v, p);
+            double scale = perspective ? -1 / p[2] : 1;
+            for (int k = 0; k < 3; ++k) {
+                double x = k < 2 ? p[k] * scale : p[k];
+                e.low[k] = fmin(e.low[k], x);
+                e.high[k] = fmax(e.high[k], x);
+            }
+        }
+    }
+    return e;
+}
+
+static void make_view(renderer *r, const double axes[3][3], const double center[3], double distance) {
+    for (int row = 0; row < 3; ++row) {
+        r->view[12 + row] = row == 2 ? -distance : 0;
+        for (int k = 0; k < 3; ++k) {
+            r->view[4 * k + row] = axes[row][k];
+            r->view[12 + row] -= axes[row][k] * center[k];
+        }
+        r->view[4 * row + 3] = 0;
+    }
+    r->view[15] = 1;
+}
+
+/* The window of the projection is shifted so that the picture is filled, with a margin for lines and air. */
+static bool make_camera(renderer *r) {
+    const illustrate_job *job = r->job;
+    double low[3], high[3], center[3], axes[3][3], radius = 0;
+    if (!scene_bounds(job->scene, low, high))
+        return broken(r, "nothing to draw");
+    for (int k = 0; k < 3; ++k) {
+        center[k] = 0.5 * (low[k] + high[k]);
+        radius += 0.25 * (high[k] - low[k]) * (high[k] - low[k]);
+    }
+    radius = sqrt(radius);
+    if (!(radius > 0) || !(radius < 1e30))
+        return broken(r, "the scene has no extent");
+    camera_axes(job, axes);
+    double distance = 4.2 * radius;
+    make_view(r, (const double(*)[3])axes, center, distance);
+    extent e = measure(r, !job->ortho);
+    double aspect = (double)job->width / job->height, half[2], middle[2];
+    for (int k = 0; k < 2; ++k) {
+        middle[k] = 0.5 * (e.low[k] + e.high[k]);
+        half[k] = 0.5 * (e.high[k] - e.low[k]) * 1.09 + 1e-6 * (job->ortho ? radius : 1);
+    }
+    half[1] = fmax(half[1], half[0] / aspect);
+    half[0] = half[1] * aspect;
+    double n = fmax(-e.high[2] - 0.01 * radius, 0.01 * radius), f = -e.low[2] + 0.01 * radius;
+    memset(r->projection, 0, sizeof r->projection);
+    for (int k = 0; k < 2; ++k) {
+        r->projection[5 * k] = 1 / half[k];
+        r->projection[(job->ortho ? 12 : 8) + k] = (job->ortho ? -1 : 1) * middle[k] / half[k];
+    }
+    r->projection[10] = job->ortho ? -2 / (f - n) : -(f + n) / (f - n);
+    r->projection[14] = job->ortho ? -(f + n) / (f - n) : -2 * f * n / (f - n);
+    r->projection[11] = job->ortho ? 0 : -1;
+    r->projection[15] = job->ortho ? 1 : 0;
+    for (size_t i = 0; i < r->figure_count; ++i) {
+        scene_multiply(r->view, r->figures[i].part->transform, r->figures[i].model_view);
+        r->figures[i].mirrored = determinant3(r->figures[i].model_view) < 0;
+    }
+    return true;
+}
+
+/* ---- lines and distances --------------------------------------------------------------------------------------- */
+
+static double wanted_k(const renderer *r) {
+    return r->job->k >= 0 ? (double)r->job->k : 0.45;
+}
+
+/* Alpha's distances, of the vertices of the fine mesh to its outline. */
+static bool upload_distances(renderer *r, figure *f, const sil_view *view) {
+    const surface *s = &r->surfaces[f->surface];
+    const unsigned kinds = SIL_SILHOUETTE | SIL_BOUNDARY;
+    sil_distance_desc desc;
+    size_t count = sil_extract(s->mesh, NULL, view, kinds, NULL, 0);
+    sil_edge *edges = malloc((count + 1) * sizeof *edges);
+    float *distances = malloc((s->vertex_count + 1) * sizeof *distances);
+    bool ok = edges && distances ? true : no_memory(r);
+    if (ok)
+        sil_extract(s->mesh, NULL, view, kinds, edges, count);
+    memset(&desc, 0, sizeof desc);
+    for (int i = 0; i < 9; ++i)
+        desc.model[i] = (float)f->part->transform[i / 3 * 4 + i % 3];
+    if (ok) {
+        sil_result result = sil_distances(s->mesh, NULL, edges, count, &desc, 0, s->vertex_count, distances, NULL);
+        ok = result == SIL_OK ? true : broken(r, "distances: %s", sil_result_string(result));
+    }
+    if (ok) {
+        f->d_max = sil_max_distance(s->mesh, NULL, desc.model);
+        glGenBuffers(1, &f->distance_buffer);
+        glBindBuffer(GL_ARRAY_BUFFER, f->distance_buffer);
+        glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)(s->vertex_count * sizeof *distances), distances, GL_STATIC_DRAW);
+    }
+    free(edges);
+    free(distances);
+    return ok;
+}
+
+/* Chains one kind of lines after another: creases first. */
+static bool chain_lines(renderer *r, figure *f, const sil_mesh *mesh, sil_pose *pose, const sil_view *view) {
+    const illustrate_job *job = r->job;
+    unsigned outlines = (job->silhouettes ? SIL_SILHOUETTE : 0u) | (job->boundaries ? SIL_BOUNDARY : 0u);
+    unsigned kinds[2] = {job->creases ? SIL_CREASE : 0u, outlines};
+    size_t edges = sil_mesh_get_info(mesh).edge_count, vertices = 0;
+    f->edges = malloc((edges + 1) * sizeof *f->edges);
+    f->strips = malloc((2 * edges + 1) * sizeof *f->strips);
+    f->strip_vertices = malloc((4 * edges + 1) * sizeof *f->strip_vertices);
+    if (!f->edges || !f->strips || !f->strip_vertices)
+        return no_memory(r);
+    for (int i = 0; i < 2; ++i) {
+        size_t needed = 0, count = kinds[i] ? sil_extract(mesh, pose, view, kinds[i], f->edges, edges) : 0, strips;
+        strips = sil_chain(mesh, pose, f->edges, count, f->strips + f->strip_count, edges, f->strip_vertices + vertices,
+                           2 * edges, &needed);
+        if (needed == SIZE_MAX)
+            return no_memory(r);
+        for (size_t k = f->strip_count; k < f->strip_count + strips; ++k)
+            f->strips[k].first += (uint32_t)vertices;
+        vertices += needed;
+        f->strip_count += strips;
+        if (i == 0)
+            f->crease_strips = f->strip_count;
+    }
+    return true;
+}
+
+static bool find_lines(renderer *r, figure *f) {
+    const sil_mesh *mesh = r->surfaces[f->part->mesh].mesh;
+    float model_view[16], projection[16];
+    sil_view view;
+    sil_result result;
+    to_float(f->model_view, model_view);
+    to_float(r->projection, projection);
+    /* A part that is flattened to nothing has no lines: every face is edge-on. */
+    if (sil_view_from_matrices(model_view, projection, &view) != SIL_OK)
+        return true;
+    sil_pose *pose = sil_pose_create(mesh, &result);
+    if (!pose)
+        return broken(r, "silhouettes: %s", sil_result_string(result));
+    bool ok = chain_lines(r, f, mesh, pose, &view);
+    if (ok && (f->object.flags & TR_TRANSPARENT))
+        ok = upload_distances(r, f, &view);
+    sil_pose_destroy(pose);
+    free(f->edges);
+    f->edges = NULL;
+    return ok;
+}
+
+static bool upload_figure(figure *f, const surface *s) {
+    size_t bytes = s->vertex_count * 3 * sizeof(float);
+    glGenVertexArrays(1, &f->array);
+    glBindVertexArray(f->array);
+    glBindBuffer(GL_ARRAY_BUFFER, s->buffer);
+    for (GLuint i = 0; i < 2; ++i) {
+        glEnableVertexAttribArray(i);
+        glVertexAttribPointer(i, 3, GL_FLOAT, GL_FALSE, 0, (const void *)(i * bytes));
+    }
+    if (s->colors) {
+        glEnableVertexAttribArray(3);
+        glVertexAttribPointer(3, 3, GL_FLOAT, GL_FALSE, 0, (const void *)(2 * bytes));
+    }
+    if (f->distance_buffer) {
+        glBindBuffer(GL_ARRAY_BUFFER, f->distance_buffer);
+        glEnableVertexAttribArray(2);
+        glVertexAttribPointer(2, 1, GL_FLOAT, GL_FALSE, 0, NULL);
+    }
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, s->index_buffer);
+    glGenVertexArrays(1, &f->line_array);
+    glGenBuffers(1, &f->line_buffer);
+    glBindVertexArray(f->line_array);
+    glBindBuffer(GL_ARRAY_BUFFER, f->line_buffer);
+    glEnableVertexAttribArray(0);
+    glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, sizeof(sil_ribbon_vertex), NULL);
+    glEnableVertexAttribArray(1);
+    glVertexAttribPointer(1, 2, GL_FLOAT, GL_FALSE, sizeof(sil_ribbon_vertex),
+                          (const void *)offsetof(sil_ribbon_vertex, center_x));
+    glBindVertexArray(0);
+    return true;
+}
+
+static bool prepare(renderer *r) {
+    double start = now_ms();
+    report(r, "geometry", 0);
+    if (!make_figures(r) || !make_camera(r))
+        return false;
+    for (size_t i = 0; i < r->figure_count; ++i) {
+        figure *f = &r->figures[i];
+        surface *s = &r->surfaces[f->surface];
+        if (!s->buffer && !upload_surface(r, s))
+            return false;
+        if (!find_lines(r, f) || !upload_figure(f, s))
+            return false;
+        report(r, "lines", (double)(i + 1) / (double)r->figure_count);
+    }
+    r->cpu_ms = now_ms() - start;
+    return true;
+}
+
+/* ---- drawing --------------------------------------------------------------------------------------------------- */
+
+static bool make_target(renderer *r) {
+    int quality = r->job->quality;
+    int wide = r->job->width * quality, tall = r->job->height * quality;
+    /* Whole pixels of the result in a tile, so that tiles are averaged on their own. */
+    int most = (TILE - 2 * MARGIN) / quality * quality;
+    r->tile_width = (wide < most ? wide : most) + 2 * MARGIN;
+    r->tile_height = (tall < most ? tall : most) + 2 * MARGIN;
+    glGenTextures(1, &r->color);
+    glBindTexture(GL_TEXTURE_2D, r->color);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, r->tile_width, r->tile_height, 0, GL_RGBA, GL_UNSIGNED_BYTE, NULL);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glGenTextures(1, &r->depth);
+    glBindTexture(GL_TEXTURE_2D, r->depth);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT32F, r->tile_width, r->tile_height, 0, GL_DEPTH_COMPONENT,
+                 GL_FLOAT, NULL);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glGenFramebuffers(1, &r->framebuffer);
+    glBindFramebuffer(GL_FRAMEBUFFER, r->framebuffer);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, r->color, 0);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, r->depth, 0);
+    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+        return broken(r, "the driver has no %d x %d target", r->tile_width, r->tile_height);
+    return true;
+}
+
+/* The projection of a tile whose lower left drawn pixel is x, y, margin included. */
+static void tile_projection(const renderer *r, int x, int y, double out[16]) {
+    double wide = (double)r->job->width * r->job->quality, tall = (double)r->job->height * r->job->quality;
+    double crop[16] = {0};
+    crop[0] = wide / r->tile_width;
+    crop[5] = tall / r->tile_height;
+    crop[12] = crop[0] * (1 - 2.0 * x / wide) - 1;
+    crop[13] = crop[5] * (1 - 2.0 * y / tall) - 1;
+    crop[10] = crop[15] = 1;
+    scene_multiply(crop, r->projection, out);
+}
+
+/* The ribbons of one figure in a tile. */
+static bool upload_lines(renderer *r, figure *f, const double projection[16]) {
+    const sil_mesh *mesh = r->surfaces[f->part->mesh].mesh;
+    sil_ribbon_desc desc;
+    size_t creases, all;
+    memset(&desc, 0, sizeof desc);
+    to_float(f->model_view, desc.model_view);
+    to_float(projection, desc.projection);
+    desc.viewport_width = (float)r->tile_width;
+    desc.viewport_height = (float)r->tile_height;
+    desc.width = r->job->line_width * (float)r->job->quality;
+    desc.width_scale[2] = 0.7f; /* creases, lighter than what bounds a shape */
+    creases = sil_ribbons(mesh, NULL, f->strips, f->crease_strips, f->strip_vertices, &desc, NULL, 0);
+    all = creases + sil_ribbons(mesh, NULL, f->strips + f->crease_strips, f->strip_count - f->crease_strips,
+                                f->strip_vertices, &desc, NULL, 0);
+    sil_ribbon_vertex *v = malloc((all + 1) * sizeof *v);
+    if (!v)
+        return no_memory(r);
+    sil_ribbons(mesh, NULL, f->strips, f->crease_strips, f->strip_vertices, &desc, v, creases);
+    sil_ribbons(mesh, NULL, f->strips + f->crease_strips, f->strip_count - f->crease_strips, f->strip_vertices, &desc,
+                v + creases, all - creases);
+    glBindBuffer(GL_ARRAY_BUFFER, f->line_buffer);
+    glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)(all * sizeof *v), v, GL_STREAM_DRAW);
+    f->crease_vertices = (GLsizei)creases;
+    f->outline_vertices = (GLsizei)(all - creases);
+    free(v);
+    return true;
+}
+
+static tr_frame make_frame(const renderer *r) {
+    const illustrate_job *job = r->job;
+    static const tr_blending blendings[] = {TR_BLENDING_NORMALISED, TR_BLENDING_PUBLISHED, TR_BLENDING_OVER};
+    tr_frame frame;
+    memset(&frame, 0, sizeof frame);
+    frame.framebuffer = r->framebuffer;
+    frame.width = r->tile_width;
+    frame.height = r->tile_height;
+    frame.scene = tr_scene_count(r->figures, r->figure_count, sizeof *r->figures);
+    frame.wishes.interior = r->interior;
+    frame.wishes.blending = blendings[job->blending];
+    frame.wishes.lines = (job->creases ? (uint32_t)TR_LINES_CREASES : 0u) |
+                         (job->silhouettes || job->boundaries ? (uint32_t)TR_LINES_OUTLINES : 0u);
+    frame.opaque_weight = job->opaque_weight > 0 ? job->opaque_weight : job->opaque_weight == 0 ? -1.0f : 0.0f;
+    frame.background_weight = job->background_weight > 0    ? job->background_weight
+                              : job->background_weight == 0 ? -1.0f
+                                                            : 0.0f;
+    frame.flat_shading = r->style == STYLE_LINES || job->shade == SHADE_FLAT;
+    frame.black_creases = r->style == STYLE_LINES;
+    return frame;
+}
+
+static void draw_surface(renderer *r, const tr_pass *pass, const figure *f, const double projection[16]) {
+    const surface *s = &r->surfaces[f->surface];
+    bool paper = r->style == STYLE_LINES;
+    double mvp[16];
+    tr_material material;
+    memset(&material, 0, sizeof material);
+    scene_multiply(projection, f->model_view, mvp);
+    to_float(mvp, material.model_view_projection);
+    normal_matrix(f->model_view, material.normal_matrix);
+    for (int k = 0; k < 3; ++k)
+        material.color[k] = paper ? r->job->background[k] : s->colors ? 0.0f : f->part->color[k];
+    material.color[3] = 1.0f;
+    material.d_max = f->d_max;
+    material.k = (float)wanted_k(r);
+    material.object = f->object.id;
+    tr_set_material(r->tr, pass, &material);
+    glFrontFace(f->mirrored != s->inward ? GL_CW : GL_CCW);
+    glBindVertexArray(f->array);
+    if (paper)
+        glDisableVertexAttribArray(3);
+    glDrawElements(GL_TRIANGLES, (GLsizei)s->index_count, GL_UNSIGNED_INT, NULL);
+}
+
+static void draw_pass(renderer *r, const tr_pass *pass, const double projection[16]) {
+    for (size_t i = 0; i < r->figure_count; ++i) {
+        const figure *f = &r->figures[i];
+        if (!tr_pass_draws(pass, &f->object))
+            continue;
+        if (!pass->lines) {
+            draw_surface(r, pass, f, projection);
+            continue;
+        }
+        glBindVertexArray(f->line_array);
+        glDrawArrays(GL_TRIANGLES, pass->lines == TR_LINES_CREASES ? 0 : f->crease_vertices,
+                     pass->lines == TR_LINES_CREASES ? f->crease_vertices : f->outline_vertices);
+    }
+}
+
+/* Milliseconds by pass of the plan; those that the header draws itself lie between two that it hands out. */
+static void add_time(renderer *r, const tr_pass *pass, int *index, double *since) {
+    const tr_plan *plan = tr_get_info(r->tr).plan;
+    if (!r->job->explain)
+        return;
+    glFinish();
+    double now = now_ms();
+    while (*index < plan->pass_count &&
+           (!pass || plan->passes[*index].kind != pass->kind || plan->passes[*index].classes != pass->classes ||
+            plan->passes[*index].lines != pass->lines)) {
+        r->pass_ms[(*index)++] += now - *since;
+        *since = now;
+    }
+}
+
+static bool draw_tile(renderer *r, int x, int y, const float background[3]) {
+    tr_frame frame = make_frame(r);
+    tr_pass pass;
+    double projection[16], since;
+    int index = 0;
+    tile_projection(r, x - MARGIN, y - MARGIN, projection);
+    for (size_t i = 0; i < r->figure_count; ++i)
+        if (!upload_lines(r, &r->figures[i], projection))
+            return false;
+    glBindFramebuffer(GL_FRAMEBUFFER, r->framebuffer);
+    glViewport(0, 0, r->tile_width, r->tile_height);
+    glDepthMask(GL_TRUE);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glClearColor(background[0], background[1], background[2], 1.0f);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    tr_result result = tr_begin(r->tr, &frame);
+    if (result != TR_OK)
+        return broken(r, "%s", tr_result_string(result));
+    glFinish();
+    since = now_ms();
+    while (tr_next_pass(r->tr, &pass)) {
+        add_time(r, &pass, &index, &since);
+        draw_pass(r, &pass, projection);
+        if (r->job->explain) {
+            glFinish();
+            double now = now_ms();
+            r->pass_ms[index++] += now - since;
+            since = now;
+        }
+    }
+    add_time(r, NULL, &index, &since);
+    tr_end(r->tr);
+    return true;
+}
+
+/* Averages quality x quality drawn pixels into each pixel of the picture; rows run down in it. */
+static void average_tile(const renderer *r, const unsigned char *drawn, int x, int y, float *picture) {
+    int q = r->job->quality, inner_width = r->tile_width - 2 * MARGIN, inner_height = r->tile_height - 2 * MARGIN;
+    for (int py = 0; py < inner_height / q && y / q + py < r->job->height; ++py) {
+        float *row = picture + (size_t)(r->job->height - 1 - (y / q + py)) * (size_t)r->job->width * 3;
+        for (int px = 0; px < inner_width / q && x / q + px < r->job->width; ++px) {
+            int sum[3] = {0, 0, 0};
+            for (int sy = 0; sy < q; ++sy)
+                for (int sx = 0; sx < q; ++sx) {
+                    const unsigned char *p = drawn + 4 * ((size_t)(MARGIN + py * q + sy) * (size_t)r->tile_width +
+                                                          (size_t)(MARGIN + px * q + sx));
+                    for (int k = 0; k < 3; ++k)
+                        sum[k] += p[k];
+                }
+            for (int k = 0; k < 3; ++k)
+                row[3 * (x / q + px) + k] = (float)sum[k] / (float)(255 * q * q);
+        }
+    }
+}
+
+static bool draw_picture(renderer *r, const float background[3], float *picture) {
+    int wide = r->job->width * r->job->quality, tall = r->job->height * r->job->quality;
+    int step_x = r->tile_width - 2 * MARGIN, step_y = r->tile_height - 2 * MARGIN, done = 0;
+    int tiles = ((wide + step_x - 1) / step_x) * ((tall + step_y - 1) / step_y);
+    unsigned char *drawn = malloc((size_t)r->tile_width * (size_t)r->tile_height * 4);
+    bool ok = drawn ? true : no_memory(r);
+    for (int y = 0; ok && y < tall; y += step_y)
+        for (int x = 0; ok && x < wide; x += step_x) {
+            ok = draw_tile(r, x, y, background);
+            if (!ok)
+                break;
+            glBindFramebuffer(GL_FRAMEBUFFER, r->framebuffer);
+            glPixelStorei(GL_PACK_ALIGNMENT, 1);
+            glReadPixels(0, 0, r->tile_width, r->tile_height, GL_RGBA, GL_UNSIGNED_BYTE, drawn);
+            average_tile(r, drawn, x, y, picture);
+            report(r, "drawing", (double)++done / tiles);
+        }
+    free(drawn);
+    return ok;
+}
+
+/* A background that is see-through is found out by drawing on white and on black: what differs shines through. */
+static bool draw(renderer *r) {
+    const illustrate_job *job = r->job;
+    size_t pixels = (size_t)job->width * (size_t)job->height;
+    static const float white[3] = {1, 1, 1}, black[3] = {0, 0, 0};
+    bool see_through = job->background[3] < 1.0f;
+    float *first = malloc(pixels * 3 * sizeof *first),
+          *second = see_through ? malloc(pixels * 3 * sizeof *second) : NULL;
+    unsigned char *out = malloc(pixels * 4);
+    bool ok = first && out && (second || !see_through) ? true : no_memory(r);
+    ok = ok && draw_picture(r, see_through ? white : job->background, first) &&
+         (!see_through || draw_picture(r, black, second));
+    for (size_t i = 0; ok && i < pixels; ++i) {
+        float opacity = 1.0f;
+        if (see_through) {
+            float shine = 0;
+            for (size_t k = 0; k < 3; ++k)
+                shine += (first[3 * i + k] - second[3 * i + k]) / 3.0f;
+            opacity = 1.0f - fminf(fmaxf(shine, 0.0f), 1.0f);
+        }
+        for (size_t k = 0; k < 3; ++k) {
+            float c = see_through ? (opacity > 0.0f ? second[3 * i + k] / opacity : 0.0f) : first[3 * i + k];
+            out[4 * i + k] = (unsigned char)(fminf(c, 1.0f) * 255.0f + 0.5f);
+        }
+        out[4 * i + 3] = (unsigned char)(opacity * 255.0f + 0.5f);
+    }
+    free(first);
+    free(second);
+    if (!ok) {
+        free(out);
+        return false;
+    }
+    r->result->rgba = out;
+    return true;
+}
+
+/* ---- what was done --------------------------------------------------------------------------------------------- */
+
+typedef struct text {
+    char *at;
+    size_t length, capacity;
+    bool failed;
+} text;
+
+static void put(text *t, const char *format, ...) {
+    va_list arguments, again;
+    va_start(arguments, format);
+    va_copy(again, arguments);
+    int needed = vsnprintf(NULL, 0, format, arguments);
+    va_end(arguments);
+    if (needed >= 0 && !t->failed && t->length + (size_t)needed + 1 > t->capacity) {
+        size_t capacity = 2 * t->capacity + (size_t)needed + 256;
+        char *grown = realloc(t->at, capacity);
+        t->failed = !grown;
+        t->at = grown ? grown : t->at;
+        t->capacity = grown ? capacity : t->capacity;
+    }
+    if (needed >= 0 && !t->failed)
+        t->length += (size_t)vsnprintf(t->at + t->length, t->capacity - t->length, format, again);
+    va_end(again);
+}
+
+static void put_string(text *t, const char *string) {
+    put(t, "\"");
+    for (; *string; ++string) {
+        if (*string == '"' || *string == '\\')
+            put(t, "\\%c", *string);
+        else if ((unsigned char)*string < 32)
+            put(t, "\\u%04x", (unsigned)(unsigned char)*string);
+        else
+            put(t, "%c", *string);
+    }
+    put(t, "\"");
+}
+
+static const char *interior_name(tr_interior interior) {
+    return interior == TR_INTERIOR_EXPLICIT ? "explicit" : interior == TR_INTERIOR_IMPLICIT ? "implicit" : "published";
+}
+
+static void put_passes(const renderer *r, text *t) {
+    tr_info info = tr_get_info(r->tr);
+    put(t, "  \"passes\": [");
+    for (int i = 0; i < info.plan->pass_count; ++i) {
+        const tr_plan_pass *pass = &info.plan->passes[i];
+        put(t, "%s\n    {\"pass\": \"%s\", \"why\": ", i ? "," : "", tr_pass_kind_name(pass->kind));
+        put_string(t, pass->why);
+        put(t, ", \"milliseconds\": %.3f}", r->pass_ms[i]);
+    }
+    put(t, "\n  ],\n  \"bytes_per_pixel\": %u,\n  \"bytes\": %llu\n", (unsigned)info.plan->bytes_per_pixel,
+        (unsigned long long)info.bytes);
+}
+
+static void explain(renderer *r) {
+    static const char *const styles[] = {"auto", "hodges", "lines", "opaque"};
+    text t = {NULL, 0, 0, false};
+    size_t listed = 0;
+    put(&t, "{\n  \"style\": \"%s\",\n  \"interior\": \"%s\",\n  \"transparent\": [", styles[r->style],
+        interior_name(r->interior));
+    for (size_t i = 0; i < r->figure_count; ++i)
+        if (r->figures[i].object.flags & TR_TRANSPARENT) {
+            put(&t, listed++ ? ", " : "");
+            put_string(&t, r->figures[i].part->name);
+        }
+    put(&t,
+        "],\n  \"parts\": %zu,\n  \"drawn_width\": %d,\n  \"drawn_height\": %d,\n  \"geometry_milliseconds\": %.3f,\n",
+        r->figure_count, r->job->width * r->job->quality, r->job->height * r->job->quality, r->cpu_ms);
+    put_passes(r, &t);
+    put(&t, "}\n");
+    r->result->explain_json = t.failed ? NULL : t.at;
+    if (t.failed)
+        free(t.at);
+}
+
+/* ---- the whole ------------------------------------------------------------------------------------------------- */
+
+/* Inner walls are modelled where a closed transparent part fills little of its own box; the larger parts decide. */
+static tr_interior choose_interior(const renderer *r) {
+    double hollow = 0, solid = 0;
+    if (r->job->interior != INTERIOR_AUTO)
+        return r->job->interior == INTERIOR_EXPLICIT    ? TR_INTERIOR_EXPLICIT
+               : r->job->interior == INTERIOR_PUBLISHED ? TR_INTERIOR_IMPLICIT_PUBLISHED
+                                                        : TR_INTERIOR_IMPLICIT;
+    for (size_t i = 0; i < r->figure_count; ++i) {
+        const surface *s = &r->surfaces[r->figures[i].part->mesh];
+        if ((r->figures[i].object.flags & TR_TRANSPARENT) && !s->sheet) {
+            if (s->volume < 0.35 * s->box_volume)
+                hollow += s->box_volume;
+            else
+                solid += s->box_volume;
+        }
+    }
+    return hollow > solid ? TR_INTERIOR_EXPLICIT : TR_INTERIOR_IMPLICIT;
+}
+
+static void tr_said(tr_log_level level, tr_result code, const char *what, void *user) {
+    (void)code;
+    if (level == TR_LOG_ERROR || ((const illustrate_job *)user)->verbose)
+        fprintf(stderr, "%s\n", what);
+}
+
+static bool start(renderer *r, tr_proc (*get_proc)(const char *)) {
+    tr_desc desc;
+    tr_result result;
+    memset(&desc, 0, sizeof desc);
+    desc.get_proc = get_proc;
+    desc.log_fn = tr_said;
+    desc.log_user = (void *)(uintptr_t)r->job;
+    desc.state = TR_STATE_LEAVE_DIRTY;
+    r->tr = tr_create(&desc, &result);
+    if (!r->tr)
+        return broken(r, "%s", tr_result_string(result));
+    bool es = tr_get_info(r->tr).es != 0;
+    if (!(es ? gladLoadGLES2 : gladLoadGL)((GLADloadfunc)get_proc))
+        return broken(r, "the driver's functions could not be loaded");
+    return true;
+}
+
+static void finish(renderer *r) {
+    for (size_t i = 0; i < r->figure_count; ++i) {
+        figure *f = &r->figures[i];
+        const GLuint arrays[2] = {f->array, f->line_array}, buffers[2] = {f->distance_buffer, f->line_buffer};
+        glDeleteVertexArrays(2, arrays);
+        glDeleteBuffers(2, buffers);
+        free(f->edges);
+        free(f->strips);
+        free(f->strip_vertices);
+    }
+    for (size_t i = 0; r->surfaces && i < r->surface_count; ++i) {
+        surface *s = &r->surfaces[i];
+        const GLuint buffers[2] = {s->buffer, s->index_buffer};
+        if (s->buffer)
+            glDeleteBuffers(2, buffers);
+        sil_mesh_destroy(s->mesh);
+        if (s->owned) {
+            free(s->positions);
+            free(s->normals);
+            free(s->colors);
+            free(s->indices);
+        }
+    }
+    free(r->figures);
+    free(r->surfaces);
+    if (r->framebuffer)
+        glDeleteFramebuffers(1, &r->framebuffer);
+    if (r->color || r->depth) {
+        const GLuint textures[2] = {r->color, r->depth};
+        glDeleteTextures(2, textures);
+    }
+    tr_destroy(r->tr);
+}
+
+bool illustrate_render(const illustrate_job *job, void (*(*get_proc)(const char *))(void), illustrate_result *result) {
+    renderer r;
+    memset(&r, 0, sizeof r);
+    memset(result, 0, sizeof *result);
+    r.job = job;
+    r.result = result;
+    r.style = job->style;
+    bool ok = start(&r, get_proc) && prepare(&r);
+    if (ok && r.style == STYLE_AUTO) {
+        tr_scene found = tr_scene_count(r.figures, r.figure_count, sizeof *r.figures);
+        r.style = found.transparent || found.transparent_two_sided ? STYLE_HODGES : STYLE_OPAQUE;
+    }
+    r.interior = ok ? choose_interior(&r) : TR_INTERIOR_IMPLICIT;
+    if (ok && job->verbose)
+        fprintf(stderr, "style %s, %s interiors, %zu parts\n", r.style == STYLE_HODGES ? "hodges" : "opaque or lines",
+                interior_name(r.interior), r.figure_count);
+    ok = ok && make_target(&r) && draw(&r);
+    if (ok && job->explain)
+        explain(&r);
+    finish(&r);
+    return ok;
+}

@@ -1,0 +1,54 @@
+/* illustrate_render.h: draws a scene as a technical illustration into an image. The only part of the main program that
+ * speaks OpenGL; the command line, the files and the context belong to the others. */
+#ifndef ILLUSTRATE_RENDER_H
+#define ILLUSTRATE_RENDER_H
+
+#include <stdbool.h>
+
+#include "scene.h"
+
+typedef enum illustrate_style { STYLE_AUTO, STYLE_HODGES, STYLE_LINES, STYLE_OPAQUE } illustrate_style;
+typedef enum illustrate_shade { SHADE_COOL_TO_WARM, SHADE_FLAT } illustrate_shade;
+/* AUTO: explicit where transparent parts have inner walls, else implicit. PUBLISHED: implicit, with the paper's faults. */
+typedef enum illustrate_interior {
+    INTERIOR_AUTO,
+    INTERIOR_IMPLICIT,
+    INTERIOR_EXPLICIT,
+    INTERIOR_PUBLISHED
+} illustrate_interior;
+typedef enum illustrate_blend { BLEND_NORMALISED, BLEND_PUBLISHED, BLEND_OVER } illustrate_blend;
+enum { PART_AUTO = 0, PART_TRANSPARENT = 1, PART_OPAQUE = 2 };
+
+typedef struct illustrate_job {
+    const scene *scene; /* hidden parts are not drawn */
+    illustrate_style style;
+    int width, height;         /* pixels of the result, 1 to 16384; width and height times quality is at most 32768 */
+    double azimuth, elevation; /* degrees; azimuth 0 looks at the front, positive goes to the scene's right */
+    bool ortho;
+    const unsigned char *transparent; /* per part PART_AUTO, PART_TRANSPARENT or PART_OPAQUE; NULL: all PART_AUTO */
+    int quality;                      /* supersampling factor per axis, 1 to 8 */
+    bool silhouettes, boundaries, creases;
+    float line_width; /* pixels of the result */
+    illustrate_shade shade;
+    float background[4]; /* colour and alpha, 0 to 1; alpha 0: the result is see-through where nothing was drawn */
+    float opaque_weight; /* weight of opaque things behind a transparent surface; negative: the renderer's default */
+    float background_weight; /* the same for the background */
+    float k;                 /* exponent of equation 2; negative: the renderer's default */
+    illustrate_blend blending;
+    illustrate_interior interior;
+    bool explain, verbose; /* explain: fill explain_json; verbose: lines about the path taken may go to stderr */
+    void (*progress)(const char *what, double fraction, void *user); /* may be NULL; fraction 0 to 1 */
+    void *user;
+} illustrate_job;
+
+typedef struct illustrate_result {
+    unsigned char *rgba; /* width*height*4 bytes, top row first, not premultiplied, malloc'd; NULL after a failure */
+    char *explain_json;  /* malloc'd or NULL */
+    char message[256];   /* what was wrong, without a line end, after a failure */
+} illustrate_result;
+
+/* Needs a current GL context (desktop 3.3 core or later, or GLES 3.0 or later). False: nothing allocated is left in
+ * the result, message says why. */
+bool illustrate_render(const illustrate_job *job, void (*(*get_proc)(const char *))(void), illustrate_result *result);
+
+#endif

@@ -1,0 +1,455 @@
+/* gl_transparency.c: pictures of transparency.h on a real driver, held to the reference and to probe pixels. */
+#include "gl_harness.h"
+
+#include "models.h"
+#include "scene.h"
+
+/* ---- scenes from formulas ---- */
+
+enum { MAX_OBJECTS = 256 };
+
+typedef struct test_scene {
+    ref_scene scene;
+    ref_object truths[MAX_OBJECTS];
+    harness_object objects[MAX_OBJECTS];
+    float *owned[MAX_OBJECTS];
+    uint32_t *owned_indices[MAX_OBJECTS];
+    size_t count;
+} test_scene;
+
+static const double identity[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+
+static ref_object *add_object(test_scene *s, bool transparent, double r, double g, double b, double alpha)
+{
+    assert_true(s->count < MAX_OBJECTS);
+    ref_object *o = &s->truths[s->count++];
+    memset(o, 0, sizeof *o);
+    memcpy(o->model, identity, sizeof identity);
+    o->id = (uint32_t)s->count;
+    o->transparent = transparent;
+    o->color[0] = r, o->color[1] = g, o->color[2] = b;
+    o->alpha = alpha;
+    return o;
+}
+
+/* A ball of rings by 2 rings quads; from ring 0 to the last one below `until` (1: all of it), unit radius. */
+static void make_ball(test_scene *s, ref_object *o, double x, double y, double z, double radius, double until)
+{
+    enum { RINGS = 24, SECTORS = 48 };
+    size_t slot = (size_t)(o - s->truths);
+    int rings = (int)(RINGS * until + 0.5);
+    float *v = malloc((size_t)(rings + 1) * SECTORS * 6 * sizeof *v), *n = v + (rings + 1) * SECTORS * 3;
+    uint32_t *t = malloc((size_t)rings * SECTORS * 6 * sizeof *t);
+    for (int i = 0; i <= rings; ++i)
+        for (int j = 0; j < SECTORS; ++j) {
+            double polar = 3.14159265358979 * i / RINGS, turn = 6.28318530717959 * j / SECTORS;
+            double d[3] = {sin(polar) * cos(turn), cos(polar), -sin(polar) * sin(turn)};
+            const double c[3] = {x, y, z};
+            for (int k = 0; k < 3; ++k) {
+                v[3 * (i * SECTORS + j) + k] = (float)(c[k] + radius * d[k]);
+                n[3 * (i * SECTORS + j) + k] = (float)d[k];
+            }
+        }
+    size_t count = 0;
+    for (int i = 0; i < rings; ++i)
+        for (int j = 0; j < SECTORS; ++j) {
+            uint32_t a = (uint32_t)(i * SECTORS + j), b = (uint32_t)(i * SECTORS + (j + 1) % SECTORS);
+            const uint32_t quad[6] = {a, a + SECTORS, b + SECTORS, a, b + SECTORS, b};
+            memcpy(t + count, quad, sizeof quad);
+            count += 6;
+        }
+    o->positions = s->owned[slot] = v;
+    o->normals = n;
+    o->indices = s->owned_indices[slot] = t;
+    o->vertex_count = (size_t)(rings + 1) * SECTORS;
+    o->triangle_count = count / 3;
+}
+
+static void frustum(double half, double first, double last, double out[16])
+{
+    const double m[16] = {1 / half, 0, 0, 0, 0, 1 / half, 0, 0, 0, 0, -(last + first) / (last - first), -1,
+                          0,        0, -2 * last * first / (last - first), 0};
+    memcpy(out, m, sizeof m);
+}
+
+/* The eye at a distance from the origin, azimuth about y from +z, elevation above. */
+static void look(double distance, double azimuth, double elevation, double out[16])
+{
+    double a = azimuth * 0.0174532925199433, e = elevation * 0.0174532925199433;
+    double ca = cos(a), sa = sin(a), ce = cos(e), se = sin(e);
+    const double m[16] = {ca, -se * sa, ce * sa, 0, 0, ce, se, 0, -sa, -se * ca, ce * ca, 0, 0, 0, -distance, 1};
+    memcpy(out, m, sizeof m);
+}
+
+static void init_scene(test_scene *s, int size)
+{
+    memset(s, 0, sizeof *s);
+    s->scene.width = s->scene.height = size;
+    s->scene.background[0] = s->scene.background[1] = s->scene.background[2] = 1.0;
+    s->scene.opaque_weight = 0.7;
+    s->scene.background_weight = 0.4;
+    look(4, 25, 20, s->scene.view);
+    frustum(0.5, 1, 10, s->scene.projection);
+}
+
+static void finish_scene(test_scene *s)
+{
+    s->scene.objects = s->truths;
+    s->scene.object_count = s->count;
+    for (size_t i = 0; i < s->count; ++i) {
+        s->objects[i].truth = s->truths[i];
+        harness_upload(&s->objects[i], NULL);
+    }
+}
+
+static void drop_scene(test_scene *s)
+{
+    for (size_t i = 0; i < s->count; ++i) {
+        harness_drop_object(&s->objects[i]);
+        free(s->owned[i]);
+        free(s->owned_indices[i]);
+    }
+}
+
+/* The parts of a built-in model. */
+static void add_model(test_scene *s, const scene *model)
+{
+    for (size_t i = 0; i < model->part_count; ++i) {
+        const scene_part *part = &model->parts[i];
+        const scene_mesh *mesh = &model->meshes[part->mesh];
+        bool glass = part->opacity < 1.0f;
+        ref_object *o = add_object(s, glass, (double)part->color[0], (double)part->color[1], (double)part->color[2], 0.4);
+        memcpy(o->model, part->transform, sizeof o->model);
+        o->positions = mesh->positions;
+        o->normals = mesh->normals;
+        o->indices = mesh->indices;
+        o->vertex_count = mesh->vertex_count;
+        o->triangle_count = mesh->index_count / 3;
+    }
+}
+
+/* Looks at the middle of a model so that it fills most of the picture. */
+static void frame_model(test_scene *s, const scene *model)
+{
+    double low[3], high[3], radius = 0, turn[16], shift[16];
+    assert_true(scene_bounds(model, low, high));
+    memcpy(shift, identity, sizeof shift);
+    for (int i = 0; i < 3; ++i) {
+        radius += (high[i] - low[i]) * (high[i] - low[i]) / 4;
+        shift[12 + i] = -(low[i] + high[i]) / 2;
+    }
+    radius = sqrt(radius);
+    look(3 * radius, 25, 20, turn);
+    harness_multiply(turn, shift, s->scene.view);
+    frustum(0.36, radius, 6 * radius, s->scene.projection);
+}
+
+/* ---- the scenes by name ---- */
+
+static void shells(test_scene *s)
+{
+    make_ball(s, add_object(s, true, 0.3, 0.5, 0.9, 0.5), 0, 0, 0, 1.5, 1);
+    make_ball(s, add_object(s, true, 0.9, 0.5, 0.3, 0.4), 0, 0, 0, 1.0, 1);
+    make_ball(s, add_object(s, false, 0.1, 0.6, 0.1, 1), 0, 0, 0, 0.5, 1);
+    make_ball(s, add_object(s, false, 0.7, 0.1, 0.6, 1), 0.3, 0.3, 1.2, 0.15, 1);
+    make_ball(s, add_object(s, false, 0.1, 0.1, 0.1, 1), 1.0, 0.8, 0.9, 0.3, 1);
+}
+
+static void intersecting(test_scene *s)
+{
+    make_ball(s, add_object(s, true, 0.3, 0.5, 0.9, 0.5), -0.5, 0, 0, 1.0, 1);
+    make_ball(s, add_object(s, true, 0.9, 0.5, 0.3, 0.4), 0.5, 0, 0.2, 1.0, 1);
+    make_ball(s, add_object(s, false, 0.1, 0.6, 0.1, 1), 0, 0, 0.2, 0.25, 1);
+    make_ball(s, add_object(s, false, 0.7, 0.1, 0.6, 1), -0.9, 0.2, 0, 0.3, 1);
+    make_ball(s, add_object(s, false, 0.1, 0.1, 0.1, 1), 0.9, -0.2, 0.2, 0.3, 1);
+}
+
+static void eye_inside(test_scene *s)
+{
+    make_ball(s, add_object(s, true, 0.3, 0.5, 0.9, 0.5), 0, 0, 4, 2.5, 1);
+    make_ball(s, add_object(s, true, 0.9, 0.5, 0.3, 0.4), 0.4, 0, 0, 1.0, 1);
+    make_ball(s, add_object(s, false, 0.1, 0.6, 0.1, 1), 0.4, 0, 0, 0.4, 1);
+    make_ball(s, add_object(s, false, 0.7, 0.1, 0.6, 1), -0.5, 0.4, 2, 0.2, 1);
+    look(4, 0, 0, s->scene.view);
+    frustum(0.5, 0.1, 10, s->scene.projection);
+}
+
+static void open_sheet(test_scene *s)
+{
+    ref_object *bowl = add_object(s, true, 0.3, 0.5, 0.9, 0.5);
+    make_ball(s, bowl, 0, 0, 0, 1.4, 0.6);
+    bowl->two_sided = true;
+    make_ball(s, add_object(s, true, 0.9, 0.5, 0.3, 0.4), 0, -0.3, 0, 0.8, 1);
+    make_ball(s, add_object(s, false, 0.1, 0.6, 0.1, 1), 0, 0.9, 0, 0.3, 1);
+    make_ball(s, add_object(s, false, 0.6, 0.6, 0.1, 1), 0, -1, -1, 0.5, 1);
+    look(4, 10, -35, s->scene.view);
+}
+
+static void lone_sheet(test_scene *s)
+{
+    ref_object *bowl = add_object(s, true, 0.3, 0.5, 0.9, 0.5);
+    make_ball(s, bowl, 0, 0, 0, 1.4, 0.6);
+    bowl->two_sided = true;
+    ref_object *lid = add_object(s, false, 0.6, 0.6, 0.1, 1);
+    make_ball(s, lid, 0, 0, 0, 0.9, 0.5);
+    lid->two_sided = true;
+    look(4, 10, -35, s->scene.view);
+}
+
+static void coincident(test_scene *s)
+{
+    make_ball(s, add_object(s, true, 0.3, 0.5, 0.9, 0.5), 0, 0, 0, 1.3, 1);
+    make_ball(s, add_object(s, true, 0.9, 0.5, 0.3, 0.4), 0, 0, 0, 1.3, 1);
+    make_ball(s, add_object(s, false, 0.1, 0.6, 0.1, 1), 0, 0, 0, 0.6, 1);
+}
+
+static void mirrored(test_scene *s)
+{
+    shells(s);
+    for (size_t i = 0; i < s->count; i += 2) {
+        s->truths[i].model[0] = -1.0;
+        s->truths[i].model[5] = 0.8;
+        s->truths[i].model[12] = 0.2;
+    }
+}
+
+static void only_glass(test_scene *s)
+{
+    make_ball(s, add_object(s, true, 0.3, 0.5, 0.9, 0.5), -0.5, 0, 0, 1.0, 1);
+    make_ball(s, add_object(s, true, 0.9, 0.5, 0.3, 0.0), 0.5, 0, 0.2, 1.0, 1);
+}
+
+static void only_opaque(test_scene *s)
+{
+    make_ball(s, add_object(s, false, 0.3, 0.5, 0.9, 1), -0.5, 0, 0, 1.0, 1);
+}
+
+typedef struct named_scene {
+    const char *name;
+    void (*make)(test_scene *);
+    int passes; /* of the plan in the default interior; that which the test is about has run */
+} named_scene;
+
+static const named_scene named_scenes[] = {
+    {"nested shells", shells, 6},      {"intersecting shells", intersecting, 6}, {"eye inside", eye_inside, 6},
+    {"open sheet", open_sheet, 10},    {"a sheet alone", lone_sheet, 4},         {"coincident shells", coincident, 6},
+    {"mirrored models", mirrored, 6},  {"only glass", only_glass, 4},            {"only opaque", only_opaque, 2},
+};
+enum { NAMED_SCENES = sizeof named_scenes / sizeof named_scenes[0] };
+
+/* ---- tests ---- */
+
+static harness desktop;
+
+static int open_desktop(void **state)
+{
+    (void)state;
+    harness_open(&desktop, 450, false, NULL);
+    return 0;
+}
+
+static int close_desktop(void **state)
+{
+    (void)state;
+    harness_close(&desktop);
+    return 0;
+}
+
+/* All interiors and blendings of one scene against the reference. */
+static void check_all(harness *h, test_scene *s, const char *name, int passes)
+{
+    static const char *const interiors[2] = {"", ", published"};
+    static const char *const blendings[3] = {"published", "normalised", "over"};
+    size_t pixels = (size_t)s->scene.width * (size_t)s->scene.height;
+    ref_pixel *truth = malloc(pixels * sizeof *truth);
+    unsigned char *picture = malloc(4 * pixels);
+    harness_target(h, s->scene.width, s->scene.height);
+    for (int interior = 0; interior < 2; ++interior)
+        for (int blending = 0; blending < 3; ++blending) {
+            char label[80];
+            s->scene.interior = (ref_interior)interior;
+            s->scene.blending = (ref_blending)blending;
+            assert_true(ref_render(&s->scene, truth));
+            harness_clear(h, s->scene.background, 1.0f);
+            harness_draw(h, &s->scene, s->objects, s->count, NULL, picture);
+            snprintf(label, sizeof label, "%s, %s%s", name, blendings[blending], interiors[interior]);
+            harness_check(h, label, &s->scene, truth, picture);
+            if (interior == 0)
+                assert_int_equal(tr_get_info(h->tr).plan->pass_count, passes);
+        }
+    free(truth);
+    free(picture);
+}
+
+static void test_scenes_match_reference(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < NAMED_SCENES; ++i) {
+        test_scene s;
+        init_scene(&s, 160);
+        named_scenes[i].make(&s);
+        finish_scene(&s);
+        check_all(&desktop, &s, named_scenes[i].name, named_scenes[i].passes);
+        drop_scene(&s);
+    }
+}
+
+static void test_models_match_reference(void **state)
+{
+    static const char *const names[] = {"mug", "crank", "shells", "gearbox"};
+    (void)state;
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; ++i) {
+        scene *model = models_make(names[i]);
+        test_scene s;
+        assert_non_null(model);
+        init_scene(&s, 256);
+        add_model(&s, model);
+        frame_model(&s, model);
+        finish_scene(&s);
+        bool several = tr_scene_count(s.objects, s.count, sizeof s.objects[0]).transparent > 1;
+        bool opaque = tr_scene_count(s.objects, s.count, sizeof s.objects[0]).opaque > 0;
+        assert_true(opaque);
+        check_all(&desktop, &s, names[i], several ? 6 : 5);
+        drop_scene(&s);
+        scene_destroy(model);
+    }
+}
+
+/* Alpha by vertex, interpolated, and cool-to-warm shading, on a ball under perspective. */
+static void test_vertex_alpha_and_shading_match_reference(void **state)
+{
+    static const float d_max[2] = {1.5f, 0.0f}, k[2] = {0.7f, 0.0f};
+    test_scene s;
+    (void)state;
+    init_scene(&s, 200);
+    make_ball(&s, add_object(&s, true, 0.3, 0.5, 0.9, 1.0), 0, 0, 0, 1.5, 1);
+    make_ball(&s, add_object(&s, false, 0.8, 0.5, 0.2, 1), 0.2, 0, 0, 0.9, 1);
+    s.truths[1].model[0] = 0.5; /* normals by the inverse transpose */
+    s.truths[1].model[4] = 0.3;
+    float *distances = malloc(s.truths[0].vertex_count * sizeof *distances);
+    float *alphas = malloc(s.truths[0].vertex_count * sizeof *alphas);
+    for (size_t i = 0; i < s.truths[0].vertex_count; ++i) {
+        distances[i] = fabsf(s.truths[0].positions[3 * i + 2]);
+        alphas[i] = (float)ref_alpha((double)distances[i], 1.5, (double)k[0]);
+    }
+    s.truths[0].vertex_alpha = alphas;
+    s.truths[0].cool_to_warm = s.truths[1].cool_to_warm = true;
+    s.scene.light_direction[0] = -1, s.scene.light_direction[1] = 2, s.scene.light_direction[2] = 1.5;
+    const double cool[3] = {0, 0, 0.4}, warm[3] = {0.4, 0.4, 0};
+    memcpy(s.scene.cool, cool, sizeof cool);
+    memcpy(s.scene.warm, warm, sizeof warm);
+    s.scene.cool_mix = 0.2;
+    s.scene.warm_mix = 0.6;
+    s.scene.blending = REF_BLEND_OVER;
+    s.scene.objects = s.truths;
+    s.scene.object_count = s.count;
+    for (size_t i = 0; i < s.count; ++i) {
+        s.objects[i].truth = s.truths[i];
+        s.objects[i].truth.alpha = 1.0;
+        harness_upload(&s.objects[i], i == 0 ? distances : NULL);
+    }
+    ref_pixel *truth = malloc(200 * 200 * sizeof *truth);
+    unsigned char *picture = malloc(200 * 200 * 4);
+    harness_options options = {0, 0, d_max, k, NULL, NULL, 0};
+    assert_true(ref_render(&s.scene, truth));
+    harness_target(&desktop, 200, 200);
+    harness_clear(&desktop, s.scene.background, 1.0f);
+    harness_draw(&desktop, &s.scene, s.objects, s.count, &options, picture);
+    harness_check(&desktop, "alpha and shade", &s.scene, truth, picture);
+    free(distances);
+    free(alphas);
+    free(truth);
+    free(picture);
+    drop_scene(&s);
+}
+
+/* The order of the host's array changes no bit. */
+static void test_draw_order_changes_nothing(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < NAMED_SCENES; ++i) {
+        static unsigned char first[128 * 128 * 4], other[128 * 128 * 4];
+        test_scene s;
+        init_scene(&s, 128);
+        named_scenes[i].make(&s);
+        finish_scene(&s);
+        harness_target(&desktop, 128, 128);
+        harness_clear(&desktop, s.scene.background, 1.0f);
+        harness_draw(&desktop, &s.scene, s.objects, s.count, NULL, first);
+        for (uint32_t turn = 0, random = 12345; turn < 12; ++turn) {
+            for (size_t j = s.count; j > 1; --j) {
+                random = random * 1664525u + 1013904223u;
+                size_t at = (random >> 8) % j;
+                harness_object swap = s.objects[j - 1];
+                s.objects[j - 1] = s.objects[at];
+                s.objects[at] = swap;
+            }
+            harness_clear(&desktop, s.scene.background, 1.0f);
+            harness_draw(&desktop, &s.scene, s.objects, s.count, NULL, other);
+            assert_memory_equal(first, other, sizeof first);
+        }
+        drop_scene(&s);
+    }
+}
+
+static void draw_shells(harness *h, unsigned char *pixels, harness_options *options)
+{
+    test_scene s;
+    init_scene(&s, 128);
+    shells(&s);
+    finish_scene(&s);
+    harness_draw(h, &s.scene, s.objects, s.count, options, pixels);
+    drop_scene(&s);
+}
+
+static int largest_difference(const unsigned char *a, const unsigned char *b, size_t count)
+{
+    int largest = 0;
+    for (size_t i = 0; i < count; ++i)
+        largest = abs(a[i] - b[i]) > largest ? abs(a[i] - b[i]) : largest;
+    return largest;
+}
+
+/* Older contexts give the picture of the newest one. */
+static void test_older_contexts_draw_the_same(void **state)
+{
+    static const struct {
+        int version;
+        bool es;
+    } contexts[] = {{330, false}, {300, true}, {310, true}, {320, true}};
+    static unsigned char newest[128 * 128 * 4], picture[128 * 128 * 4];
+    static const double white[3] = {1, 1, 1};
+    (void)state;
+    harness_target(&desktop, 128, 128);
+    harness_clear(&desktop, white, 1.0f);
+    draw_shells(&desktop, newest, NULL);
+    for (size_t i = 0; i < sizeof contexts / sizeof contexts[0]; ++i) {
+        /* One context at a time: they share a display, which goes with the first that is closed. */
+        harness_close(&desktop);
+        harness h;
+        harness_open(&h, contexts[i].version, contexts[i].es, NULL);
+        harness_target(&h, 128, 128);
+        harness_clear(&h, white, 1.0f);
+        draw_shells(&h, picture, NULL);
+        tr_info info = tr_get_info(h.tr);
+        printf("    %s %d: differs by %d/255 at most\n", info.es ? "ES" : "GL", info.version,
+               largest_difference(newest, picture, sizeof picture));
+        assert_int_equal(info.version, contexts[i].version);
+        assert_int_equal(info.es, contexts[i].es);
+        assert_true(largest_difference(newest, picture, sizeof picture) <= 1);
+        harness_close(&h);
+        harness_open(&desktop, 450, false, NULL);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_scenes_match_reference),
+        cmocka_unit_test(test_models_match_reference),
+        cmocka_unit_test(test_vertex_alpha_and_shading_match_reference),
+        cmocka_unit_test(test_draw_order_changes_nothing),
+        cmocka_unit_test(test_older_contexts_draw_the_same),
+    };
+    return cmocka_run_group_tests_name("gl_transparency", tests, open_desktop, close_desktop);
+}
