@@ -240,64 +240,83 @@ static bool surrounds(const scene *s, const scene_part *outer, const double star
     return met[0] + met[1] + met[2] + met[3] + met[4] + met[5] >= 5;
 }
 
-/* encloses[i]: part i surrounds the middle of another part that lies within its box. */
-static bool find_enclosing(const scene *s, bool *encloses) {
-    double(*low)[3] = malloc((s->part_count + 1) * sizeof *low),
-    (*high)[3] = malloc((s->part_count + 1) * sizeof *high);
-    for (size_t i = 0; low && high && i < s->part_count; ++i)
-        part_box(s, &s->parts[i], low[i], high[i]);
-    for (size_t i = 0; low && high && i < s->part_count; ++i) {
-        size_t tried = 0;
-        for (size_t j = 0; j < s->part_count && !encloses[i] && tried < 8; ++j) {
-            bool within = i != j && !s->parts[i].hidden && !s->parts[j].hidden;
-            double middle[3];
-            for (int k = 0; k < 3; ++k) {
-                within = within && low[j][k] >= low[i][k] && high[j][k] <= high[i][k];
-                middle[k] = 0.5 * (low[j][k] + high[j][k]);
-            }
-            if (within) {
-                ++tried;
-                encloses[i] = surrounds(s, &s->parts[i], middle);
-            }
-        }
-    }
-    /* Of boxes within boxes only the outermost opens up: nothing would show through a second one. */
-    for (size_t i = 0; low && high && i < s->part_count; ++i)
-        for (size_t j = 0; j < s->part_count && encloses[i]; ++j) {
-            bool within = j != i && encloses[j];
-            for (int k = 0; k < 3; ++k)
-                within = within && low[i][k] >= low[j][k] && high[i][k] <= high[j][k];
-            if (within && (low[i][0] != low[j][0] || high[i][0] != high[j][0] || j < i))
-                encloses[i] = false;
-        }
-    bool ok = low && high;
-    free(low);
-    free(high);
-    return ok;
+typedef struct boxes {
+    double (*low)[3], (*high)[3];
+} boxes;
+
+static bool within_box(const boxes *b, size_t inner, size_t outer) {
+    bool within = inner != outer;
+    for (int k = 0; k < 3; ++k)
+        within = within && b->low[inner][k] >= b->low[outer][k] && b->high[inner][k] <= b->high[outer][k];
+    return within;
 }
 
-/* One byte a part: transparent or not. Where the scene says nothing, parts that enclose others are. */
+static bool encloses(const scene *s, const boxes *b, size_t outer, size_t inner) {
+    double middle[3];
+    for (int k = 0; k < 3; ++k)
+        middle[k] = 0.5 * (b->low[inner][k] + b->high[inner][k]);
+    return within_box(b, inner, outer) && !s->parts[inner].hidden && !s->parts[outer].hidden &&
+           surrounds(s, &s->parts[outer], middle);
+}
+
+/* Parts that enclose another one: `found`. Eight that lie within a part's box are tried. */
+static void find_enclosing(const scene *s, const boxes *b, unsigned char *found) {
+    for (size_t i = 0; i < s->part_count; ++i) {
+        size_t tried = 0;
+        for (size_t j = 0; j < s->part_count && !found[i] && tried < 8; ++j) {
+            tried += within_box(b, j, i);
+            found[i] = encloses(s, b, i, j);
+        }
+    }
+}
+
+/* Of transparent parts within transparent parts only the outermost stays so, where the host did not say more: nothing
+ * would show through the second one, and it would not be seen itself. */
+static void keep_outermost(const renderer *r, const boxes *b, unsigned char *transparent) {
+    const scene *s = r->job->scene;
+    for (size_t i = 0; i < s->part_count; ++i) {
+        bool asked = r->job->transparent && r->job->transparent[i] == PART_TRANSPARENT;
+        for (size_t j = 0; j < s->part_count && transparent[i] && !asked; ++j)
+            if (transparent[j] && !within_box(b, j, i) && encloses(s, b, j, i))
+                transparent[i] = 0;
+    }
+}
+
+static bool measure_boxes(const scene *s, boxes *b) {
+    b->low = malloc((s->part_count + 1) * sizeof *b->low);
+    b->high = malloc((s->part_count + 1) * sizeof *b->high);
+    for (size_t i = 0; b->low && b->high && i < s->part_count; ++i)
+        part_box(s, &s->parts[i], b->low[i], b->high[i]);
+    return b->low && b->high;
+}
+
+/* One byte a part: transparent or not. Where neither the job nor the file says so, parts that enclose others are. */
 static unsigned char *choose_transparent(renderer *r) {
     const scene *s = r->job->scene;
     unsigned char *transparent = calloc(s->part_count + 1, 1);
-    bool *encloses = calloc(s->part_count + 1, sizeof *encloses);
-    bool any = false, hodges = r->job->style == STYLE_AUTO || r->job->style == STYLE_HODGES;
-    for (size_t i = 0; transparent && i < s->part_count; ++i) {
-        unsigned char asked = r->job->transparent ? r->job->transparent[i] : (unsigned char)PART_AUTO;
-        transparent[i] = hodges && !s->parts[i].hidden &&
+    boxes b = {NULL, NULL};
+    bool any = false, ok = transparent && measure_boxes(s, &b);
+    bool hodges = r->job->style == STYLE_AUTO || r->job->style == STYLE_HODGES;
+    for (size_t i = 0; ok && hodges && i < s->part_count; ++i) {
+        int asked = r->job->transparent ? r->job->transparent[i] : PART_AUTO;
+        transparent[i] = !s->parts[i].hidden &&
                          (asked == PART_TRANSPARENT || (asked == PART_AUTO && s->parts[i].opacity < 1.0f));
         any = any || transparent[i];
     }
-    bool ok = transparent && encloses && (any || !hodges || find_enclosing(s, encloses));
-    for (size_t i = 0; ok && !any && i < s->part_count; ++i)
-        transparent[i] = encloses[i] && !(r->job->transparent && r->job->transparent[i] == PART_OPAQUE);
-    free(encloses);
-    if (!ok) {
-        free(transparent);
-        no_memory(r);
-        return NULL;
-    }
-    return transparent;
+    if (ok && hodges && !any)
+        find_enclosing(s, &b, transparent);
+    for (size_t i = 0; ok && r->job->transparent && i < s->part_count; ++i)
+        if (r->job->transparent[i] == PART_OPAQUE)
+            transparent[i] = 0;
+    if (ok)
+        keep_outermost(r, &b, transparent);
+    free(b.low);
+    free(b.high);
+    if (ok)
+        return transparent;
+    free(transparent);
+    no_memory(r);
+    return NULL;
 }
 
 /* ---- figures: parts as they are drawn -------------------------------------------------------------------------- */
@@ -499,6 +518,38 @@ static bool upload_distances(renderer *r, figure *f, const sil_view *view) {
     return ok;
 }
 
+/* Whether a silhouette edge lies in a valley: then its surface hides it, from every eye. Keeps the turning points of
+ * silhouettes clean, where a polygonal one runs back behind itself. */
+static bool in_valley(const surface *s, const sil_edge *e) {
+    if (!(e->kinds & SIL_SILHOUETTE) || e->face[1] == SIL_NONE)
+        return false;
+    const uint32_t *left = s->indices + 3 * (size_t)e->face[0], *right = s->indices + 3 * (size_t)e->face[1];
+    double p[3][3], n[3], highest = 0, lowest = 0;
+    for (int c = 0; c < 3; ++c)
+        for (int k = 0; k < 3; ++k)
+            p[c][k] = (double)s->positions[3 * left[c] + (size_t)k] - (double)s->positions[3 * left[0] + (size_t)k];
+    for (int k = 0; k < 3; ++k) {
+        int a = (k + 1) % 3, b = (k + 2) % 3;
+        n[k] = p[1][a] * p[2][b] - p[1][b] * p[2][a];
+    }
+    for (int c = 0; c < 3; ++c) {
+        double height = 0;
+        for (int k = 0; k < 3; ++k)
+            height += n[k] * ((double)s->positions[3 * right[c] + (size_t)k] - (double)s->positions[3 * left[0] + (size_t)k]);
+        highest = fmax(highest, height);
+        lowest = fmin(lowest, height);
+    }
+    return highest > -lowest;
+}
+
+static size_t drop_valleys(const surface *s, sil_edge *edges, size_t count) {
+    size_t kept = 0;
+    for (size_t i = 0; i < count; ++i)
+        if (!in_valley(s, &edges[i]))
+            edges[kept++] = edges[i];
+    return kept;
+}
+
 /* Chains one kind of lines after another: creases first. */
 static bool chain_lines(renderer *r, figure *f, const sil_mesh *mesh, sil_pose *pose, const sil_view *view) {
     const illustrate_job *job = r->job;
@@ -512,6 +563,8 @@ static bool chain_lines(renderer *r, figure *f, const sil_mesh *mesh, sil_pose *
         return no_memory(r);
     for (int i = 0; i < 2; ++i) {
         size_t needed = 0, count = kinds[i] ? sil_extract(mesh, pose, view, kinds[i], f->edges, edges) : 0, strips;
+        if (!(f->object.flags & TR_TWO_SIDED))
+            count = drop_valleys(&r->surfaces[f->part->mesh], f->edges, count);
         strips = sil_chain(mesh, pose, f->edges, count, f->strips + f->strip_count, edges, f->strip_vertices + vertices,
                            2 * edges, &needed);
         if (needed == SIZE_MAX)

@@ -72,8 +72,22 @@ static uint32_t *put_triangle(uint32_t *out, uint32_t a, uint32_t b, uint32_t c)
     return out + 3;
 }
 
+/* Which diagonal cuts the quad a, b, bc, ca: a to bc, or b to ca. The shorter one; where they are equal the place of a
+ * and b decides, so that the same triangle wound the other way, with vertices of its own, is cut alike. */
+static bool cuts_from_first(const work *w, uint32_t a, uint32_t b, uint32_t bc, uint32_t ca) {
+    double first = length_squared(w, a, bc), second = length_squared(w, b, ca);
+    if (first != second)
+        return first < second;
+    for (size_t k = 0; k < 3; ++k) {
+        float p = w->mesh.positions[3 * (size_t)a + k], q = w->mesh.positions[3 * (size_t)b + k];
+        if (p != q)
+            return p < q;
+    }
+    return true;
+}
+
 /* One triangle with the midpoints of its edges ab, bc, ca (0: whole): one to four triangles of the same winding. */
-static uint32_t *divide(uint32_t *out, const uint32_t v[3], const uint32_t m[3]) {
+static uint32_t *divide(const work *w, uint32_t *out, const uint32_t v[3], const uint32_t m[3]) {
     int whole = !m[0] + !m[1] + !m[2], turn = 0;
     if (whole == 3)
         return put_triangle(out, v[0], v[1], v[2]);
@@ -93,6 +107,10 @@ static uint32_t *divide(uint32_t *out, const uint32_t v[3], const uint32_t m[3])
         return put_triangle(out, ab, b, c);
     }
     out = put_triangle(out, c, ca, bc);
+    if (cuts_from_first(w, a, b, bc, ca)) {
+        out = put_triangle(out, a, b, bc);
+        return put_triangle(out, a, bc, ca);
+    }
     out = put_triangle(out, ca, a, b);
     return put_triangle(out, ca, b, bc);
 }
@@ -109,7 +127,7 @@ static bool refine_once(work *w, bool *changed) {
     for (size_t t = 0; ok && t < triangles; ++t) {
         const uint32_t *v = w->mesh.indices + 3 * t;
         const uint32_t m[3] = {split(w, v[0], v[1]), split(w, v[1], v[2]), split(w, v[2], v[0])};
-        end = divide(end, v, m);
+        end = divide(w, end, v, m);
     }
     free(w->slots);
     if (!ok) {

@@ -34,33 +34,36 @@ typedef struct harness {
     tr_context *tr;
     int debug_messages; /* of KHR_debug, notifications left out */
     int logged;         /* errors and warnings that transparency.h logged */
+    bool quiet;         /* errors are provoked now: KHR_debug's are not counted, nothing is printed */
 } harness;
 
-static tr_proc harness_get_proc(const char *name)
+static inline tr_proc harness_get_proc(const char *name)
 {
     return (tr_proc)eglGetProcAddress(name);
 }
 
-static void harness_log(tr_log_level level, tr_result code, const char *text, void *user)
+static inline void harness_log(tr_log_level level, tr_result code, const char *text, void *user)
 {
     harness *h = user;
     h->logged += level != TR_LOG_INFO;
-    printf("    log %d: %s\n", (int)code, text);
+    if (!h->quiet)
+        printf("    log %d: %s\n", (int)code, text);
 }
 
-static void GLAD_API_PTR harness_debug(GLenum source, GLenum type, GLuint id, GLenum severity, GLsizei length,
+static inline void GLAD_API_PTR harness_debug(GLenum source, GLenum type, GLuint id, GLenum severity, GLsizei length,
                                        const GLchar *text, const void *user)
 {
     (void)source, (void)type, (void)id, (void)length;
-    if (severity == GL_DEBUG_SEVERITY_NOTIFICATION)
-        return;
     /* The harness outlives the context; GL hands user back as const. */
-    ++*(int *)(uintptr_t)user;
+    harness *h = (harness *)(uintptr_t)user;
+    if (severity == GL_DEBUG_SEVERITY_NOTIFICATION || h->quiet)
+        return;
+    ++h->debug_messages;
     printf("    KHR_debug: %s\n", text);
 }
 
 /* A context of exactly what is asked for where the driver allows it, and a transparency.h capped to that version. */
-static void harness_open(harness *h, int version, bool es, const tr_desc *options)
+static inline void harness_open(harness *h, int version, bool es, const tr_desc *options)
 {
     char message[256];
     tr_result result;
@@ -75,7 +78,7 @@ static void harness_open(harness *h, int version, bool es, const tr_desc *option
     if (glDebugMessageCallback) {
         glEnable(GL_DEBUG_OUTPUT);
         glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
-        glDebugMessageCallback(harness_debug, &h->debug_messages);
+        glDebugMessageCallback(harness_debug, h);
     }
     desc.get_proc = harness_get_proc;
     desc.log_fn = harness_log;
@@ -86,7 +89,7 @@ static void harness_open(harness *h, int version, bool es, const tr_desc *option
         fail_msg("tr_create: %s", tr_result_string(result));
 }
 
-static void harness_drop_target(harness *h)
+static inline void harness_drop_target(harness *h)
 {
     glDeleteFramebuffers(1, &h->framebuffer);
     glDeleteTextures(1, &h->color);
@@ -94,7 +97,7 @@ static void harness_drop_target(harness *h)
     h->framebuffer = h->color = h->depth = 0;
 }
 
-static void harness_close(harness *h)
+static inline void harness_close(harness *h)
 {
     tr_destroy(h->tr);
     harness_drop_target(h);
@@ -103,7 +106,7 @@ static void harness_close(harness *h)
     headless_destroy(&h->context);
 }
 
-static void harness_target(harness *h, int width, int height)
+static inline void harness_target(harness *h, int width, int height)
 {
     harness_drop_target(h);
     h->width = width;
@@ -134,7 +137,7 @@ typedef struct harness_object {
 } harness_object;
 
 /* distances: attribute 2 of each vertex, or NULL. The arrays of truth stay the caller's. */
-static void harness_upload(harness_object *o, const float *distances)
+static inline void harness_upload(harness_object *o, const float *distances)
 {
     const ref_object *t = &o->truth;
     const double *m = t->model;
@@ -167,13 +170,13 @@ static void harness_upload(harness_object *o, const float *distances)
     glBindVertexArray(0);
 }
 
-static void harness_drop_object(harness_object *o)
+static inline void harness_drop_object(harness_object *o)
 {
     glDeleteVertexArrays(1, &o->array);
     glDeleteBuffers(3, o->buffers);
 }
 
-static void harness_multiply(const double a[16], const double b[16], double out[16])
+static inline void harness_multiply(const double a[16], const double b[16], double out[16])
 {
     for (int c = 0; c < 4; ++c)
         for (int r = 0; r < 4; ++r) {
@@ -185,7 +188,7 @@ static void harness_multiply(const double a[16], const double b[16], double out[
 }
 
 /* Cofactors: the inverse transpose up to a positive factor. */
-static void harness_normal_matrix(const double m[16], float out[9])
+static inline void harness_normal_matrix(const double m[16], float out[9])
 {
     double det = m[0] * (m[5] * m[10] - m[6] * m[9]) - m[4] * (m[1] * m[10] - m[2] * m[9]) +
                  m[8] * (m[1] * m[6] - m[2] * m[5]);
@@ -197,7 +200,7 @@ static void harness_normal_matrix(const double m[16], float out[9])
         }
 }
 
-static void harness_material(const ref_scene *scene, const ref_object *t, tr_material *material)
+static inline void harness_material(const ref_scene *scene, const ref_object *t, tr_material *material)
 {
     double view_projection[16], mvp[16];
     memset(material, 0, sizeof *material);
@@ -221,7 +224,7 @@ typedef struct harness_options {
     int passes;            /* out: how many passes asked for surfaces */
 } harness_options;
 
-static tr_frame harness_frame(const harness *h, const ref_scene *scene, const harness_object *objects, size_t count)
+static inline tr_frame harness_frame(const harness *h, const ref_scene *scene, const harness_object *objects, size_t count)
 {
     tr_frame frame = {0};
     static const tr_blending blendings[3] = {TR_BLENDING_PUBLISHED, TR_BLENDING_NORMALISED, TR_BLENDING_OVER};
@@ -247,7 +250,7 @@ static tr_frame harness_frame(const harness *h, const ref_scene *scene, const ha
     return frame;
 }
 
-static void harness_clear(const harness *h, const double background[3], float depth)
+static inline void harness_clear(const harness *h, const double background[3], float depth)
 {
     glBindFramebuffer(GL_FRAMEBUFFER, h->framebuffer);
     glClearColor((float)background[0], (float)background[1], (float)background[2], 1.0f);
@@ -256,7 +259,7 @@ static void harness_clear(const harness *h, const double background[3], float de
 }
 
 /* Draws the objects in the order given and reads the picture back, four bytes a pixel, bottom row first. */
-static void harness_draw(harness *h, const ref_scene *scene, const harness_object *objects, size_t count,
+static inline void harness_draw(harness *h, const ref_scene *scene, const harness_object *objects, size_t count,
                          harness_options *options, unsigned char *pixels)
 {
     tr_frame frame = harness_frame(h, scene, objects, count);
@@ -307,7 +310,7 @@ typedef struct harness_error {
     size_t blended, seen_through; /* compared pixels with a blended surface; with an opaque thing behind it */
 } harness_error;
 
-static harness_error harness_compare(const ref_scene *scene, const ref_pixel *truth, const unsigned char *pixels)
+static inline harness_error harness_compare(const ref_scene *scene, const ref_pixel *truth, const unsigned char *pixels)
 {
     harness_error error = {0, 0, 0, 0, 0};
     size_t count = (size_t)scene->width * (size_t)scene->height, left = 0;
@@ -331,7 +334,7 @@ static harness_error harness_compare(const ref_scene *scene, const ref_pixel *tr
 }
 
 /* Prints the share left out and the passes that ran; error at most 2/255, share at most 10 %. */
-static void harness_check(harness *h, const char *name, const ref_scene *scene, const ref_pixel *truth,
+static inline void harness_check(harness *h, const char *name, const ref_scene *scene, const ref_pixel *truth,
                           const unsigned char *pixels)
 {
     harness_error error = harness_compare(scene, truth, pixels);

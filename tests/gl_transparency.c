@@ -2,6 +2,7 @@
 #include "gl_harness.h"
 
 #include "models.h"
+#include "probes.h"
 #include "scene.h"
 
 /* ---- scenes from formulas ---- */
@@ -442,9 +443,143 @@ static void test_older_contexts_draw_the_same(void **state)
     }
 }
 
+/* ---- probe pixels, worked out by hand ---- */
+
+static void add_probe_object(test_scene *s, const probe_object *p)
+{
+    ref_object *o = add_object(s, p->transparent, p->color[0], p->color[1], p->color[2], p->alpha);
+    size_t slot = s->count - 1, vertices = 0, triangles = 0;
+    float *v = malloc((size_t)p->polygon_count * 24 * sizeof *v);
+    uint32_t *t = malloc((size_t)p->polygon_count * 18 * sizeof *t);
+    o->id = p->id;
+    o->two_sided = p->two_sided;
+    for (int i = 0; i < p->polygon_count; ++i) {
+        const probe_polygon *polygon = &p->polygons[i];
+        for (int c = 2; c < polygon->count; ++c) {
+            t[3 * triangles] = (uint32_t)vertices;
+            t[3 * triangles + 1] = (uint32_t)vertices + (uint32_t)c - 1;
+            t[3 * triangles++ + 2] = (uint32_t)vertices + (uint32_t)c;
+        }
+        for (int c = 0; c < polygon->count; ++c, ++vertices)
+            for (int k = 0; k < 3; ++k)
+                v[3 * vertices + (size_t)k] = (float)polygon->vertices[c][k];
+    }
+    o->positions = s->owned[slot] = v;
+    o->indices = s->owned_indices[slot] = t;
+    o->vertex_count = vertices;
+    o->triangle_count = triangles;
+}
+
+static void set_probe_camera(test_scene *s, const probe_camera *camera)
+{
+    const double *rows[3] = {camera->right, camera->up, camera->toward};
+    double n = camera->near_distance, f = camera->far_distance;
+    memset(s->scene.view, 0, sizeof s->scene.view);
+    s->scene.view[15] = 1;
+    for (int row = 0; row < 3; ++row)
+        for (int k = 0; k < 3; ++k) {
+            s->scene.view[4 * k + row] = rows[row][k];
+            s->scene.view[12 + row] -= rows[row][k] * camera->eye[k];
+        }
+    if (camera->perspective) {
+        frustum(camera->half_width, n, f, s->scene.projection);
+    } else {
+        const double h = camera->half_width;
+        const double m[16] = {1 / h, 0, 0, 0, 0, 1 / h, 0, 0, 0, 0, -2 / (f - n), 0, 0, 0, -(f + n) / (f - n), 1};
+        memcpy(s->scene.projection, m, sizeof m);
+    }
+}
+
+static const probe_object *probe_object_of(const probe_scene *p, uint32_t id)
+{
+    for (int i = 0; i < p->object_count; ++i)
+        if (p->objects[i].id == id)
+            return &p->objects[i];
+    return NULL;
+}
+
+static void probe_color(const probe_scene *p, probe_answer answer, ref_blending blending, double out[3])
+{
+    const probe_object *behind = probe_object_of(p, answer.behind), *front = probe_object_of(p, answer.front);
+    const double *below = behind ? behind->color : p->background;
+    memcpy(out, below, 3 * sizeof *out);
+    if (front)
+        ref_blend(blending, front->alpha, front->color, behind ? p->opaque_weight : p->background_weight, below, out);
+}
+
+enum { PROBE_SIZE = 201 };
+
+/* Draws one view by both rules and all blendings; counts the probes that were looked at. */
+static int check_probe_view(test_scene *s, const probe_scene *p, const probe_view *view)
+{
+    static unsigned char picture[PROBE_SIZE * PROBE_SIZE * 4];
+    int checked = 0;
+    set_probe_camera(s, &view->camera);
+    for (int variant = 0; variant < 6; ++variant) {
+        s->scene.interior = variant / 3 ? REF_INTERIOR_IMPLICIT_PUBLISHED : REF_INTERIOR_IMPLICIT;
+        s->scene.blending = (ref_blending)(variant % 3);
+        harness_clear(&desktop, p->background, 1.0f);
+        harness_draw(&desktop, &s->scene, s->objects, s->count, NULL, picture);
+        for (int i = 0; i < view->probe_count; ++i, ++checked) {
+            const probe *q = &view->probes[i];
+            size_t x = (size_t)((q->u + 1) * 0.5 * PROBE_SIZE), y = (size_t)((q->v + 1) * 0.5 * PROBE_SIZE);
+            double expected[3];
+            probe_color(p, variant / 3 ? q->rule_published : q->rule_default, s->scene.blending, expected);
+            for (size_t k = 0; k < 3; ++k)
+                if (fabs(expected[k] * 255 - picture[4 * (y * PROBE_SIZE + x) + k]) > 2)
+                    fail_msg("%s, %s, probe %d (%g, %g), variant %d: channel %zu is %d, should be %.1f", p->name,
+                             view->name, i, q->u, q->v, variant, k, picture[4 * (y * PROBE_SIZE + x) + k], expected[k] * 255);
+        }
+    }
+    return checked;
+}
+
+static void test_probe_pixels(void **state)
+{
+    int checked = 0;
+    (void)state;
+    harness_target(&desktop, PROBE_SIZE, PROBE_SIZE);
+    for (int i = 0; i < PROBE_SCENE_COUNT; ++i) {
+        const probe_scene *p = &probe_scenes[i];
+        test_scene s;
+        init_scene(&s, PROBE_SIZE);
+        for (int o = 0; o < p->object_count; ++o)
+            add_probe_object(&s, &p->objects[o]);
+        s.scene.opaque_weight = p->opaque_weight;
+        s.scene.background_weight = p->background_weight;
+        finish_scene(&s);
+        for (int v = 0; v < p->view_count; ++v)
+            checked += check_probe_view(&s, p, &p->views[v]);
+        drop_scene(&s);
+    }
+    printf("    %d probes in %d scenes, by rule and blending\n", checked, (int)PROBE_SCENE_COUNT);
+    assert_true(checked >= 20 * 6 * PROBE_SCENE_COUNT);
+}
+
+/* The colours worked out in full, arithmetic and all. */
+static void test_probe_examples(void **state)
+{
+    (void)state;
+    for (int i = 0; i < PROBE_SCENE_COUNT; ++i)
+        for (int e = 0; e < probe_scenes[i].example_count; ++e) {
+            const probe_example *example = &probe_scenes[i].examples[e];
+            const probe *q = &probe_scenes[i].views[example->view].probes[example->probe];
+            probe_answer answer = example->published_rule ? q->rule_published : q->rule_default;
+            const double *expected[3] = {example->published, example->normalised, example->over};
+            for (int blending = 0; blending < 3; ++blending) {
+                double color[3];
+                probe_color(&probe_scenes[i], answer, (ref_blending)blending, color);
+                for (int k = 0; k < 3; ++k)
+                    assert_true(fabs(color[k] - expected[blending][k]) < 1e-5);
+            }
+        }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_probe_pixels),
+        cmocka_unit_test(test_probe_examples),
         cmocka_unit_test(test_scenes_match_reference),
         cmocka_unit_test(test_models_match_reference),
         cmocka_unit_test(test_vertex_alpha_and_shading_match_reference),

@@ -309,7 +309,7 @@ static const probe_polygon probe_s3_p1[] = {
 };
 static const probe_polygon probe_s3_p2[] = { PROBE_BOX(-1.0, 0.2, -1.0, 1.0, -0.8, 0.8) };   /* the box in the cavity */
 static const probe_polygon probe_s3_p3[] = { PROBE_BOX(0.5, 1.1, -1.0, 3.0, -0.3, 0.3) };    /* a spoon, out at the top */
-static const probe_polygon probe_s3_p4[] = { PROBE_BOX(-0.6, 0.0, 1.2, 1.8, 1.5, 1.9) };     /* in the wall at +z */
+static const probe_polygon probe_s3_p4[] = { PROBE_BOX(-0.6, 0.0, 1.0, 1.8, 1.5, 1.9) };     /* in the wall at +z */
 static const probe_polygon probe_s3_p5[] = { PROBE_BOX(-0.5, 0.5, -1.9, -1.5, -1.3, 1.3) };  /* in the floor */
 static const probe_polygon probe_s3_p6[] = { PROBE_BOX(-1.9, -1.5, -0.5, 0.5, -0.5, 0.5) };  /* in the wall at -x */
 static const probe_polygon probe_s3_p7[] = { PROBE_BOX(1.2, 2.8, -1.2, -0.2, 3.0, 3.5) };    /* outside, on the +z side */
@@ -561,3 +561,364 @@ static const probe_example probe_s5_examples[] = {
     PROBE_COUNT(probe_s5_objects), probe_s5_objects, PROBE_COUNT(probe_s5_views), probe_s5_views, \
     PROBE_COUNT(probe_s5_examples), probe_s5_examples }
 
+/* ---- Scene 6: intersecting shells ----------------------------------------------------- */
+
+static const probe_polygon probe_s6_p1[] = { PROBE_BOX(-3.0, 1.0, -2.0, 2.0, -1.0, 2.0) };
+static const probe_polygon probe_s6_p2[] = { PROBE_BOX(-1.0, 3.0, -1.8, 1.8, -2.0, 1.0) };
+static const probe_polygon probe_s6_p3[] = { PROBE_BOX(-2.6, -1.6, 0.6, 1.4, 0.0, 1.0) };    /* in 1 only */
+static const probe_polygon probe_s6_p4[] = { PROBE_BOX(-0.7, -0.1, 0.6, 1.4, -0.5, 0.5) };   /* in the common part */
+static const probe_polygon probe_s6_p5[] = { PROBE_BOX(1.5, 2.5, 0.6, 1.4, -0.5, 0.5) };     /* in 2 only */
+static const probe_polygon probe_s6_p6[] = { PROBE_BOX(-0.6, 0.6, -0.4, 0.4, 1.2, 1.8) };    /* in 1 only, on the +z side of 2 */
+static const probe_polygon probe_s6_p7[] = { PROBE_BOX(0.1, 0.7, 0.6, 1.4, -1.8, -1.2) };    /* in 2 only, on the -z side of 1 */
+static const probe_polygon probe_s6_p8[] = { PROBE_BOX(-2.5, 2.5, -1.4, -0.6, -0.4, 0.4) };  /* a bar through all three parts */
+static const probe_polygon probe_s6_p9[] = { PROBE_BOX(1.5, 2.5, -0.4, 0.4, 2.5, 3.0) };     /* outside, on the +z side */
+static const probe_polygon probe_s6_p10[] = { PROBE_BOX(-2.6, -1.6, -0.4, 0.4, -2.5, -0.5) };/* through the face z = -1 of 1 */
+
+static const probe_object probe_s6_objects[] = {
+    { 1, true, false, {0.9, 0.7, 0.2}, 0.5, PROBE_COUNT(probe_s6_p1), probe_s6_p1 },
+    { 2, true, false, {0.2, 0.6, 1.0}, 0.25, PROBE_COUNT(probe_s6_p2), probe_s6_p2 },
+    { 3, false, false, {0.1, 0.1, 0.9}, 1.0, PROBE_COUNT(probe_s6_p3), probe_s6_p3 },
+    { 4, false, false, {0.8, 0.0, 0.4}, 1.0, PROBE_COUNT(probe_s6_p4), probe_s6_p4 },
+    { 5, false, false, {0.4, 0.8, 0.0}, 1.0, PROBE_COUNT(probe_s6_p5), probe_s6_p5 },
+    { 6, false, false, {0.5, 0.2, 0.2}, 1.0, PROBE_COUNT(probe_s6_p6), probe_s6_p6 },
+    { 7, false, false, {0.0, 0.3, 0.1}, 1.0, PROBE_COUNT(probe_s6_p7), probe_s6_p7 },
+    { 8, false, false, {0.6, 0.4, 0.8}, 1.0, PROBE_COUNT(probe_s6_p8), probe_s6_p8 },
+    { 9, false, false, {0.9, 0.9, 0.1}, 1.0, PROBE_COUNT(probe_s6_p9), probe_s6_p9 },
+    { 10, false, false, {0.3, 0.7, 0.7}, 1.0, PROBE_COUNT(probe_s6_p10), probe_s6_p10 },
+};
+
+/* from +z: 1f 8, 1b 11 over x -3..1; 2f 9, 2b 12 over x -1..3 */
+static const probe probe_s6_front[] = {
+    { -0.525, 0.25, {1, 3}, {1, 3} },     /* x -2.1, y 1: 1f 8, 3 at 9, 1b 11 */
+    { -0.1, 0.25, {1, 0}, {1, 4} },       /* DIFFERS: x -0.4, y 1: 1f 8, 2f 9, 4 at 9.5, 1b 11 */
+    { 0.1, 0.25, {1, 0}, {1, 0} },        /* x 0.4, y 1: 1f 8, 2f 9, 1b 11, 7 at 11.2, 2b 12 */
+    { 0.5, 0.25, {2, 5}, {2, 5} },        /* x 2, y 1: 2f 9, 5 at 9.5, 2b 12 */
+    { 0.0, 0.0, {1, 6}, {1, 6} },         /* x 0, y 0: 1f 8, 6 at 8.2, 2f 9 */
+    { -0.525, 0.0, {1, 10}, {1, 10} },    /* x -2.1, y 0: 1f 8, 10 at 10.5, 1b 11 */
+    { 0.5, 0.0, {0, 9}, {0, 9} },         /* x 2, y 0: 9 at 7, 2f 9 */
+    { -0.45, -0.25, {1, 8}, {1, 8} },     /* x -1.8, y -1: 1f 8, 8 at 9.6, 1b 11 */
+    { 0.0, -0.25, {1, 0}, {1, 8} },       /* DIFFERS: x 0, y -1: 1f 8, 2f 9, 8 at 9.6, 1b 11 */
+    { 0.45, -0.25, {2, 8}, {2, 8} },      /* x 1.8, y -1: 2f 9, 8 at 9.6, 2b 12 */
+    { 0.2, 0.0, {1, 0}, {1, 0} },         /* x 0.8, y 0: 1f 8, 2f 9, 1b 11, 2b 12 */
+    { 0.875, 0.25, {0, 0}, {0, 0} },      /* x 3.5, y 1: nothing */
+    { -0.32, 0.0, {1, 0}, {1, 0} },       /* x -1.28, y 0: 1f 8, 1b 11 */
+    { 0.31, 0.0, {2, 0}, {2, 0} },        /* x 1.24, y 0: 2f 9, 2b 12 */
+};
+
+/* from +x: 1f 9, 1b 13 over z -1..2; 2f 7, 2b 11 over z -2..1 */
+static const probe probe_s6_side[] = {
+    { 0.0625, 0.25, {2, 5}, {2, 5} },     /* z -0.25, y 1: 2f 7, 5 at 7.5, 1f 9 */
+    { -0.1875, 0.25, {2, 0}, {2, 0} },    /* z 0.75, y 1: 2f 7, 1f 9, 2b 11, 3 at 11.6, 1b 13 */
+    { 0.375, 0.25, {2, 7}, {2, 7} },      /* z -1.5, y 1: 2f 7, 7 at 9.3, 2b 11 */
+    { -0.375, 0.0, {1, 6}, {1, 6} },      /* z 1.5, y 0: 1f 9, 6 at 9.4, 1b 13 */
+    { 0.0, -0.25, {2, 8}, {2, 8} },       /* z 0, y -1: 2f 7, 8 at 7.5, 1f 9 */
+    { -0.6875, 0.0, {0, 9}, {0, 9} },     /* z 2.75, y 0: 9 at 7.5, outside both */
+    { 0.375, 0.0, {2, 0}, {2, 0} },       /* z -1.5, y 0: 2f 7, 2b 11, 10 at 11.6 */
+    { 0.5625, 0.0, {0, 10}, {0, 10} },    /* z -2.25, y 0: 10 at 11.6, outside both */
+    { 0.1875, 0.0, {2, 0}, {2, 0} },      /* z -0.75, y 0: 2f 7, 1f 9, 2b 11, 10 at 11.6, 1b 13 */
+    { -0.375, -0.25, {1, 0}, {1, 0} },    /* z 1.5, y -1: 1f 9, 1b 13 */
+};
+
+static const probe_view probe_s6_views[] = {
+    { "front", PROBE_FROM_ZP, PROBE_COUNT(probe_s6_front), probe_s6_front },
+    { "side", PROBE_FROM_XP, PROBE_COUNT(probe_s6_side), probe_s6_side },
+};
+
+static const probe_example probe_s6_examples[] = {
+    /* 1 over 3, a 0.5, w_o 0.75: a C_t = (0.45, 0.35, 0.1); published adds 0.75 (0.1, 0.1, 0.9) =
+     * (0.075, 0.075, 0.675); normalised divides by 1.25; over adds 0.5 (0.1, 0.1, 0.9) */
+    { 0, 0, false, {0.525, 0.425, 0.775}, {0.42, 0.34, 0.62}, {0.5, 0.4, 0.55} },
+    /* by the published rule, 1 over 4: published adds 0.75 (0.8, 0, 0.4) = (0.6, 0, 0.3): red 1.05
+     * clamped; normalised divides by 1.25; over adds 0.5 (0.8, 0, 0.4) = (0.4, 0, 0.2) */
+    { 0, 1, true, {1.0, 0.35, 0.4}, {0.84, 0.28, 0.32}, {0.85, 0.35, 0.3} },
+    /* 2 over the background, a 0.25, w_b 0.25: a C_t = (0.05, 0.15, 0.25); published adds
+     * 0.25 (0.4, 0.8, 0.6) = (0.1, 0.2, 0.15); normalised divides by 0.5; over adds
+     * 0.75 (0.4, 0.8, 0.6) = (0.3, 0.6, 0.45) */
+    { 0, 13, false, {0.15, 0.35, 0.4}, {0.3, 0.7, 0.8}, {0.35, 0.75, 0.7} },
+};
+
+#define PROBE_SCENE_6 { "intersecting shells", {0.4, 0.8, 0.6}, 0.75, 0.25, \
+    PROBE_COUNT(probe_s6_objects), probe_s6_objects, PROBE_COUNT(probe_s6_views), probe_s6_views, \
+    PROBE_COUNT(probe_s6_examples), probe_s6_examples }
+
+/* ---- Scene 7: the eye inside a transparent box ---------------------------------------- */
+
+static const probe_polygon probe_s7_p1[] = { PROBE_BOX(-4.0, 4.0, -4.0, 4.0, -10.0, 2.0) };  /* around the eye */
+static const probe_polygon probe_s7_p2[] = { PROBE_BOX(-2.0, -0.4, -0.8, 1.6, -8.0, -4.0) }; /* transparent, inside 1 */
+static const probe_polygon probe_s7_p3[] = { PROBE_BOX(-4.8, -1.2, -6.6, -3.2, -16.0, -12.0) };/* transparent, beyond 1 */
+static const probe_polygon probe_s7_p4[] = { PROBE_BOX(0.8, 1.6, 0.6, 1.4, -6.0, -4.0) };    /* inside 1 */
+static const probe_polygon probe_s7_p5[] = { PROBE_BOX(-1.6, -0.6, -0.5, 0.5, -6.0, -5.0) }; /* inside 2 */
+static const probe_polygon probe_s7_p6[] = { PROBE_BOX(-1.8, -0.45, 0.9, 1.9, -9.2, -9.0) }; /* inside 1, beyond 2 */
+static const probe_polygon probe_s7_p7[] = { PROBE_BOX(1.2, 3.6, -1.8, -0.2, -13.0, -12.0) };/* beyond 1 */
+static const probe_polygon probe_s7_p8[] = { PROBE_BOX(-3.6, -1.6, -5.4, -3.6, -14.5, -13.0) };/* inside 3 */
+static const probe_polygon probe_s7_p9[] = { PROBE_BOX(0.9, 2.7, -3.4, -2.4, -12.0, -9.0) }; /* through the face z = -10 of 1 */
+static const probe_polygon probe_s7_p10[] = { PROBE_BOX(5.0, 7.0, -1.0, 1.0, -8.0, -7.0) };  /* beside 1 */
+static const probe_polygon probe_s7_p11[] = { PROBE_BOX(-1.3, -0.6, 0.4, 1.2, -3.0, -2.5) }; /* inside 1, before 2 */
+static const probe_polygon probe_s7_p12[] = { PROBE_BOX(-8.0, 0.8, -12.0, -8.0, -21.0, -20.0) };/* beyond 3 */
+
+static const probe_object probe_s7_objects[] = {
+    { 1, true, false, {0.5, 0.5, 0.9}, 0.7, PROBE_COUNT(probe_s7_p1), probe_s7_p1 },
+    { 2, true, false, {0.9, 0.4, 0.2}, 0.5, PROBE_COUNT(probe_s7_p2), probe_s7_p2 },
+    { 3, true, false, {0.3, 0.9, 0.3}, 0.4, PROBE_COUNT(probe_s7_p3), probe_s7_p3 },
+    { 4, false, false, {0.8, 0.1, 0.1}, 1.0, PROBE_COUNT(probe_s7_p4), probe_s7_p4 },
+    { 5, false, false, {0.2, 0.2, 0.8}, 1.0, PROBE_COUNT(probe_s7_p5), probe_s7_p5 },
+    { 6, false, false, {0.1, 0.5, 0.5}, 1.0, PROBE_COUNT(probe_s7_p6), probe_s7_p6 },
+    { 7, false, false, {0.6, 0.6, 0.0}, 1.0, PROBE_COUNT(probe_s7_p7), probe_s7_p7 },
+    { 8, false, false, {0.7, 0.2, 0.6}, 1.0, PROBE_COUNT(probe_s7_p8), probe_s7_p8 },
+    { 9, false, false, {0.0, 0.4, 0.2}, 1.0, PROBE_COUNT(probe_s7_p9), probe_s7_p9 },
+    { 10, false, false, {0.9, 0.6, 0.5}, 1.0, PROBE_COUNT(probe_s7_p10), probe_s7_p10 },
+    { 11, false, false, {0.4, 0.2, 0.0}, 1.0, PROBE_COUNT(probe_s7_p11), probe_s7_p11 },
+    { 12, false, false, {0.1, 0.1, 0.3}, 1.0, PROBE_COUNT(probe_s7_p12), probe_s7_p12 },
+};
+
+/* Perspective, eye at the origin looking to -z, half width 1: at depth d the ray through
+ * (u, v) is at x = u d, y = v d.  Object 1 shows only back faces: z = -10 at depth 10 for
+ * |u|, |v| < 0.4, else a side at 4 / |u| or 4 / |v|.  Face z = -4 of 2 covers u -0.5..-0.1,
+ * v -0.2..0.4; face z = -12 of 3 covers u -0.4..-0.1, v -0.55..-0.267. */
+static const probe probe_s7_inside[] = {
+    { 0.25, 0.29, {0, 4}, {0, 4} },         /* 4 at 4 (u 0.2..0.4, v 0.15..0.35), 1b 10 */
+    { -0.18, 0.0, {2, 5}, {2, 5} },         /* 2f 4, 5 at 5 (u -0.32..-0.12), 2b 8, 1b 10 */
+    { -0.19, 0.03, {2, 5}, {2, 5} },        /* 2f 4, 5 at 5, 2b 8, 1b 10 */
+    { -0.15, 0.155, {2, 0}, {2, 0} },       /* 2f 4, 2b 8, 6 at 9 (u -0.2..-0.05, v 0.1..0.211), 1b 10 */
+    { -0.45, -0.1, {2, 0}, {2, 0} },        /* 2f 4, 2b (x=-2) 4.444, 1b (x=-4) 8.889 */
+    { -0.15, -0.15, {2, 0}, {2, 0} },       /* 2f 4, 2b (y=-0.8) 5.333, 1b 10; below 5 at depth 5 */
+    { -0.3, 0.3, {0, 11}, {0, 11} },        /* 11 at 2.5 (u -0.52..-0.24, v 0.16..0.48), 2f 4 */
+    { 0.2, -0.085, {0, 7}, {0, 0} },        /* DIFFERS: 1b 10, 7 at 12 (u 0.1..0.3, v -0.15..-0.017); no front face */
+    { 0.17, -0.08, {0, 7}, {0, 0} },        /* DIFFERS: 1b 10, 7 at 12 */
+    { -0.35, -0.32, {3, 0}, {0, 0} },       /* DIFFERS: 1b 10, 3f 12, 3b (x=-4.8) 13.71 */
+    { -0.19, -0.325, {3, 8}, {0, 0} },      /* DIFFERS: 1b 10, 3f 12, 8 at 13 (u -0.277..-0.123, v -0.415..-0.277), 3b 16 */
+    { -0.2, -0.325, {3, 8}, {0, 0} },       /* DIFFERS: 1b 10, 3f 12, 8 at 13, 3b 16 */
+    { 0.2, -0.325, {0, 9}, {0, 9} },        /* 9 at 9 (u 0.1..0.3, v -0.378..-0.267), 1b 10 */
+    { 0.16, -0.325, {0, 9}, {0, 9} },       /* 9 at 9, 1b 10 */
+    { 0.8, 0.0, {0, 10}, {0, 0} },          /* DIFFERS: 1b (x=4) 5, 10 at 7 (u 0.714..1, v -0.143..0.143) */
+    { 0.78, 0.05, {0, 10}, {0, 0} },        /* DIFFERS: 1b (x=4) 5.128, 10 at 7 */
+    { -0.03, -0.5, {0, 12}, {0, 0} },       /* DIFFERS: 1b (y=-4) 8, 12 at 20 (u -0.4..0.04, v -0.6..-0.4), beside 3 */
+    { -0.2, -0.48, {3, 0}, {0, 0} },        /* DIFFERS: 1b (y=-4) 8.333, 3f 12, 3b (y=-6.6) 13.75, 12 at 20 */
+    { 0.05, 0.08, {0, 0}, {0, 0} },         /* 1b 10 */
+    { 0.3, 0.7, {0, 0}, {0, 0} },           /* 1b (y=4) 5.714 */
+    { -0.8, -0.6, {0, 0}, {0, 0} },         /* 1b (x=-4) 5 */
+};
+
+static const probe_view probe_s7_views[] = {
+    { "inside", { true, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, 1.0, 0.1, 30.0 },
+      PROBE_COUNT(probe_s7_inside), probe_s7_inside },
+};
+
+static const probe_example probe_s7_examples[] = {
+    /* 2 over 5, a 0.5, w_o 0.5: a C_t = (0.45, 0.2, 0.1); published adds 0.5 (0.2, 0.2, 0.8) =
+     * (0.1, 0.1, 0.4); normalised divides by 1.0; over adds 0.5 (0.2, 0.2, 0.8), the same */
+    { 0, 1, false, {0.55, 0.3, 0.5}, {0.55, 0.3, 0.5}, {0.55, 0.3, 0.5} },
+    /* 3 over the background, a 0.4, w_b 0.1: a C_t = (0.12, 0.36, 0.12); published adds
+     * 0.1 (0.7, 0.8, 0.9) = (0.07, 0.08, 0.09); normalised divides by 0.5; over adds
+     * 0.6 (0.7, 0.8, 0.9) = (0.42, 0.48, 0.54) */
+    { 0, 9, false, {0.19, 0.44, 0.21}, {0.38, 0.88, 0.42}, {0.54, 0.84, 0.66} },
+    /* the same place by the published rule: the background as it is */
+    { 0, 9, true, {0.7, 0.8, 0.9}, {0.7, 0.8, 0.9}, {0.7, 0.8, 0.9} },
+};
+
+#define PROBE_SCENE_7 { "eye inside", {0.7, 0.8, 0.9}, 0.5, 0.1, \
+    PROBE_COUNT(probe_s7_objects), probe_s7_objects, PROBE_COUNT(probe_s7_views), probe_s7_views, \
+    PROBE_COUNT(probe_s7_examples), probe_s7_examples }
+
+/* ---- Scene 8: open sheets ------------------------------------------------------------- */
+
+/* 1: a two-sided transparent rectangle in z = 1, its outside to -z; 2: a one-sided transparent
+ * box x 0.5..3, y -3..2, z -1..1 without its wall z = 1; 12: a closed transparent box; 14: a
+ * second two-sided transparent rectangle, in z = -1, its outside to +z. */
+static const probe_polygon probe_s8_p1[] = { PROBE_FACE_ZN(1.0, -3.0, -0.5, -3.0, 2.0) };
+static const probe_polygon probe_s8_p2[] = {
+    PROBE_FACE_XN(0.5, -3.0, 2.0, -1.0, 1.0), PROBE_FACE_XP(3.0, -3.0, 2.0, -1.0, 1.0),
+    PROBE_FACE_YN(-3.0, 0.5, 3.0, -1.0, 1.0), PROBE_FACE_YP(2.0, 0.5, 3.0, -1.0, 1.0),
+    PROBE_FACE_ZN(-1.0, 0.5, 3.0, -3.0, 2.0),
+};
+static const probe_polygon probe_s8_p3[] = { PROBE_BOX(-2.4, -1.2, 0.6, 1.4, -0.5, 0.5) };   /* on the -z side of 1 */
+static const probe_polygon probe_s8_p4[] = { PROBE_BOX(-2.4, -1.2, -0.4, 0.4, 2.0, 2.5) };   /* on the +z side of 1 */
+static const probe_polygon probe_s8_p5[] = { PROBE_BOX(-2.4, -1.2, -1.4, -0.6, 0.0, 1.6) };  /* through 1 */
+static const probe_polygon probe_s8_p6[] = { PROBE_BOX(-3.6, -2.6, 0.6, 1.4, -4.0, -3.5) };  /* far on the -z side of 1 */
+static const probe_polygon probe_s8_p7[] = { PROBE_BOX(1.0, 1.8, 0.6, 1.4, -0.5, 0.5) };     /* inside 2 */
+static const probe_polygon probe_s8_p8[] = { PROBE_BOX(2.0, 2.7, 0.6, 1.4, -3.0, -2.0) };    /* on the -z side of 2 */
+static const probe_polygon probe_s8_p9[] = { PROBE_BOX(2.2, 3.6, -0.4, 0.4, -3.0, -2.0) };   /* the same, reaching past its side */
+static const probe_polygon probe_s8_p10[] = { PROBE_BOX(1.0, 1.8, -0.4, 0.4, 2.0, 3.0) };    /* on the +z side of 2 */
+static const probe_polygon probe_s8_p11[] = { PROBE_BOX(1.0, 2.4, -1.4, -0.6, -2.0, 0.0) };  /* through the wall z = -1 of 2 */
+static const probe_polygon probe_s8_p12[] = { PROBE_BOX(1.0, 2.6, -2.7, -1.7, -3.0, -2.0) }; /* transparent, on the -z side of 2 */
+static const probe_polygon probe_s8_p13[] = { PROBE_BOX(1.9, 2.5, -2.5, -1.9, -2.8, -2.2) }; /* inside 12 */
+static const probe_polygon probe_s8_p14[] = { PROBE_FACE_ZP(-1.0, -2.9, -0.7, -2.7, -1.7) };
+static const probe_polygon probe_s8_p15[] = { PROBE_BOX(-2.8, -2.1, -2.6, -1.8, -0.3, 0.3) };/* between 1 and 14 */
+static const probe_polygon probe_s8_p16[] = { PROBE_BOX(-1.7, -0.9, -2.6, -1.8, -2.6, -2.0) };/* on the -z side of 14 */
+
+static const probe_object probe_s8_objects[] = {
+    { 1, true, true, {0.8, 0.2, 0.6}, 0.5, PROBE_COUNT(probe_s8_p1), probe_s8_p1 },
+    { 2, true, false, {0.2, 0.8, 0.8}, 0.6, PROBE_COUNT(probe_s8_p2), probe_s8_p2 },
+    { 3, false, false, {0.2, 0.6, 0.0}, 1.0, PROBE_COUNT(probe_s8_p3), probe_s8_p3 },
+    { 4, false, false, {0.7, 0.3, 0.0}, 1.0, PROBE_COUNT(probe_s8_p4), probe_s8_p4 },
+    { 5, false, false, {0.0, 0.2, 0.7}, 1.0, PROBE_COUNT(probe_s8_p5), probe_s8_p5 },
+    { 6, false, false, {0.9, 0.8, 0.4}, 1.0, PROBE_COUNT(probe_s8_p6), probe_s8_p6 },
+    { 7, false, false, {0.5, 0.0, 0.1}, 1.0, PROBE_COUNT(probe_s8_p7), probe_s8_p7 },
+    { 8, false, false, {0.1, 0.3, 0.3}, 1.0, PROBE_COUNT(probe_s8_p8), probe_s8_p8 },
+    { 9, false, false, {0.6, 0.5, 0.9}, 1.0, PROBE_COUNT(probe_s8_p9), probe_s8_p9 },
+    { 10, false, false, {0.4, 0.9, 0.2}, 1.0, PROBE_COUNT(probe_s8_p10), probe_s8_p10 },
+    { 11, false, false, {0.9, 0.1, 0.3}, 1.0, PROBE_COUNT(probe_s8_p11), probe_s8_p11 },
+    { 12, true, false, {1.0, 0.5, 0.0}, 0.4, PROBE_COUNT(probe_s8_p12), probe_s8_p12 },
+    { 13, false, false, {0.0, 0.0, 0.4}, 1.0, PROBE_COUNT(probe_s8_p13), probe_s8_p13 },
+    { 14, true, true, {0.3, 0.3, 1.0}, 0.8, PROBE_COUNT(probe_s8_p14), probe_s8_p14 },
+    { 15, false, false, {0.7, 0.7, 0.7}, 1.0, PROBE_COUNT(probe_s8_p15), probe_s8_p15 },
+    { 16, false, false, {0.3, 0.6, 0.5}, 1.0, PROBE_COUNT(probe_s8_p16), probe_s8_p16 },
+};
+
+/* from +z: 1f 9 over x -3..-0.5 (its back, counted as front; no back face); 2b 11 over x 0.5..3
+ * with no front face of 2 before it */
+static const probe probe_s8_front[] = {
+    { -0.45, 0.25, {1, 3}, {1, 3} },        /* x -1.8, y 1: 1f 9, 3 at 9.5 */
+    { -0.45, 0.0, {0, 4}, {0, 4} },         /* x -1.8, y 0: 4 at 7.5, 1f 9 */
+    { -0.45, -0.25, {0, 5}, {0, 5} },       /* x -1.8, y -1: 5 at 8.4, 1f 9 */
+    { -0.825, 0.25, {0, 6}, {0, 6} },       /* x -3.3, y 1: 6 at 13.5, beside 1 */
+    { -0.7, 0.25, {1, 6}, {1, 6} },         /* x -2.8, y 1: 1f 9, 6 at 13.5 */
+    { -0.2, 0.25, {1, 0}, {1, 0} },         /* x -0.8, y 1: 1f 9 */
+    { 0.35, 0.25, {0, 7}, {0, 7} },         /* x 1.4, y 1: 7 at 9.5, 2b 11 */
+    { 0.5875, 0.25, {0, 8}, {0, 0} },       /* DIFFERS: x 2.35, y 1: 2b 11, 8 at 12 */
+    { 0.65, 0.0, {0, 9}, {0, 0} },          /* DIFFERS: x 2.6, y 0: 2b 11, 9 at 12 */
+    { 0.825, 0.0, {0, 9}, {0, 9} },         /* x 3.3, y 0: 9 at 12, beside 2 */
+    { 0.35, 0.0, {0, 10}, {0, 10} },        /* x 1.4, y 0: 10 at 7, 2b 11 */
+    { 0.425, -0.25, {0, 11}, {0, 11} },     /* x 1.7, y -1: 11 at 10, 2b 11 */
+    { 0.3625, -0.55, {12, 0}, {0, 0} },     /* DIFFERS: x 1.45, y -2.2: 2b 11, 12f 12, 12b 13 */
+    { 0.55, -0.55, {12, 13}, {0, 0} },      /* DIFFERS: x 2.2, y -2.2: 2b 11, 12f 12, 13 at 12.2, 12b 13 */
+    { -0.6125, -0.55, {1, 15}, {1, 15} },   /* x -2.45, y -2.2: 1f 9, 15 at 9.7, 14f 11 */
+    { -0.325, -0.55, {1, 0}, {1, 16} },     /* DIFFERS: x -1.3, y -2.2: 1f 9, 14f 11, 16 at 12; no back face */
+    { 0.0, 0.0, {0, 0}, {0, 0} },           /* x 0, y 0: nothing, between 1 and 2 */
+    { 0.2, 0.25, {0, 0}, {0, 0} },          /* x 0.8, y 1: 2b 11 */
+};
+
+/* from -z: 1f 11; 2f 9 (the wall z = -1) with no back face of 2 behind it; 12f 7, 12b 8; 14f 9 */
+static const probe probe_s8_rear[] = {
+    { -0.5875, 0.25, {0, 8}, {0, 8} },      /* x 2.35, y 1: 8 at 7, 2f 9 */
+    { -0.35, 0.25, {2, 7}, {2, 7} },        /* x 1.4, y 1: 2f 9, 7 at 9.5 */
+    { -0.35, 0.0, {2, 10}, {2, 10} },       /* x 1.4, y 0: 2f 9, 10 at 12, out at the missing wall */
+    { -0.425, -0.25, {0, 11}, {0, 11} },    /* x 1.7, y -1: 11 at 8, 2f 9 */
+    { -0.3625, -0.55, {12, 0}, {12, 0} },   /* x 1.45, y -2.2: 12f 7, 12b 8, 2f 9 */
+    { -0.55, -0.55, {12, 13}, {12, 13} },   /* x 2.2, y -2.2: 12f 7, 13 at 7.2, 12b 8 */
+    { 0.45, 0.0, {1, 4}, {1, 4} },          /* x -1.8, y 0: 1f 11, 4 at 12 */
+    { 0.45, 0.25, {0, 3}, {0, 3} },         /* x -1.8, y 1: 3 at 9.5, 1f 11 */
+    { 0.45, -0.25, {0, 5}, {0, 5} },        /* x -1.8, y -1: 5 at 10, 1f 11 */
+    { 0.6125, -0.55, {14, 15}, {14, 15} },  /* x -2.45, y -2.2: 14f 9, 15 at 9.7, 1f 11 */
+    { 0.325, -0.55, {0, 16}, {0, 16} },     /* x -1.3, y -2.2: 16 at 7.4, 14f 9 */
+    { -0.65, 0.0, {0, 9}, {0, 9} },         /* x 2.6, y 0: 9 at 7, 2f 9 */
+};
+
+static const probe_view probe_s8_views[] = {
+    { "front", PROBE_FROM_ZP, PROBE_COUNT(probe_s8_front), probe_s8_front },
+    { "rear", PROBE_FROM_ZN, PROBE_COUNT(probe_s8_rear), probe_s8_rear },
+};
+
+static const probe_example probe_s8_examples[] = {
+    /* 1 over 3, a 0.5, w_o 1: a C_t = (0.4, 0.1, 0.3); published adds (0.2, 0.6, 0); normalised
+     * divides by 1.5; over adds 0.5 (0.2, 0.6, 0) = (0.1, 0.3, 0) */
+    { 0, 0, false, {0.6, 0.7, 0.3}, {0.4, 0.7 / 1.5, 0.2}, {0.5, 0.4, 0.3} },
+    /* 12 over the background, a 0.4, w_b 0.4: a C_t = (0.4, 0.2, 0); published adds
+     * 0.4 (0.5, 0.6, 0.5) = (0.2, 0.24, 0.2); normalised divides by 0.8; over adds
+     * 0.6 (0.5, 0.6, 0.5) = (0.3, 0.36, 0.3) */
+    { 0, 12, false, {0.6, 0.44, 0.2}, {0.75, 0.55, 0.25}, {0.7, 0.56, 0.3} },
+    /* by the published rule, 1 over 16: published adds (0.3, 0.6, 0.5) to (0.4, 0.1, 0.3); normalised
+     * divides by 1.5; over adds 0.5 (0.3, 0.6, 0.5) = (0.15, 0.3, 0.25) */
+    { 0, 15, true, {0.7, 0.7, 0.8}, {0.7 / 1.5, 0.7 / 1.5, 0.8 / 1.5}, {0.55, 0.4, 0.55} },
+};
+
+#define PROBE_SCENE_8 { "open sheets", {0.5, 0.6, 0.5}, 1.0, 0.4, \
+    PROBE_COUNT(probe_s8_objects), probe_s8_objects, PROBE_COUNT(probe_s8_views), probe_s8_views, \
+    PROBE_COUNT(probe_s8_examples), probe_s8_examples }
+
+/* ---- Scene 9: front faces that coincide ------------------------------------------------ */
+
+/* The faces z = 2 of 1 and 2 coincide over x -1..1, y -1.8..1.8.  The object list has 2 first,
+ * so that the lowest id is not the one drawn first. */
+static const probe_polygon probe_s9_p1[] = { PROBE_BOX(-3.0, 1.0, -2.0, 2.0, -1.0, 2.0) };
+static const probe_polygon probe_s9_p2[] = { PROBE_BOX(-1.0, 3.0, -1.8, 1.8, -2.0, 2.0) };
+static const probe_polygon probe_s9_p3[] = { PROBE_BOX(-2.6, -1.6, 0.6, 1.4, 0.0, 1.0) };    /* in 1 only */
+static const probe_polygon probe_s9_p4[] = { PROBE_BOX(-0.6, 0.6, 0.6, 1.4, 0.0, 1.0) };     /* in both */
+static const probe_polygon probe_s9_p5[] = { PROBE_BOX(1.5, 2.5, 0.6, 1.4, -0.8, -0.2) };    /* in 2 only */
+static const probe_polygon probe_s9_p6[] = { PROBE_BOX(-0.7, -0.1, -0.4, 0.4, 3.0, 3.5) };   /* outside, on the +z side of both */
+static const probe_polygon probe_s9_p7[] = { PROBE_BOX(0.0, 0.7, -1.4, -0.6, -1.8, -1.2) };  /* in 2 only, on the -z side of 1 */
+static const probe_polygon probe_s9_p8[] = { PROBE_BOX(1.5, 2.5, -0.4, 0.4, -3.0, -1.5) };   /* through the face z = -2 of 2 */
+static const probe_polygon probe_s9_p9[] = { PROBE_BOX(-2.6, -1.6, -0.4, 0.4, -3.0, -2.0) }; /* outside, on the -z side of 1 */
+static const probe_polygon probe_s9_p10[] = { PROBE_BOX(-2.4, -0.3, -1.4, -0.6, 0.0, 1.0) }; /* in 1, through the face x = -1 of 2 */
+static const probe_polygon probe_s9_p11[] = { PROBE_BOX(0.1, 0.7, -0.4, 0.4, 1.0, 2.5) };    /* through both faces z = 2 */
+static const probe_polygon probe_s9_p12[] = { PROBE_BOX(1.5, 2.5, -1.4, -0.6, 2.5, 3.0) };   /* outside, on the +z side of 2 */
+
+static const probe_object probe_s9_objects[] = {
+    { 2, true, false, {0.1, 0.9, 0.5}, 0.6, PROBE_COUNT(probe_s9_p2), probe_s9_p2 },
+    { 1, true, false, {0.8, 0.4, 0.6}, 0.5, PROBE_COUNT(probe_s9_p1), probe_s9_p1 },
+    { 3, false, false, {0.0, 0.4, 0.8}, 1.0, PROBE_COUNT(probe_s9_p3), probe_s9_p3 },
+    { 4, false, false, {0.4, 0.6, 0.2}, 1.0, PROBE_COUNT(probe_s9_p4), probe_s9_p4 },
+    { 5, false, false, {0.9, 0.2, 0.0}, 1.0, PROBE_COUNT(probe_s9_p5), probe_s9_p5 },
+    { 6, false, false, {0.3, 0.3, 0.3}, 1.0, PROBE_COUNT(probe_s9_p6), probe_s9_p6 },
+    { 7, false, false, {0.6, 0.0, 0.9}, 1.0, PROBE_COUNT(probe_s9_p7), probe_s9_p7 },
+    { 8, false, false, {0.5, 0.7, 0.1}, 1.0, PROBE_COUNT(probe_s9_p8), probe_s9_p8 },
+    { 9, false, false, {0.1, 0.2, 0.4}, 1.0, PROBE_COUNT(probe_s9_p9), probe_s9_p9 },
+    { 10, false, false, {0.2, 0.8, 0.9}, 1.0, PROBE_COUNT(probe_s9_p10), probe_s9_p10 },
+    { 11, false, false, {0.7, 0.1, 0.3}, 1.0, PROBE_COUNT(probe_s9_p11), probe_s9_p11 },
+    { 12, false, false, {0.9, 0.7, 0.8}, 1.0, PROBE_COUNT(probe_s9_p12), probe_s9_p12 },
+};
+
+/* from +z: 1f 8, 1b 11 over x -3..1; 2f 8, 2b 12 over x -1..3 */
+static const probe probe_s9_front[] = {
+    { -0.525, 0.25, {1, 3}, {1, 3} },       /* x -2.1, y 1: 1f 8, 3 at 9, 1b 11 */
+    { 0.0, 0.25, {1, 0}, {1, 4} },          /* DIFFERS: x 0, y 1: 1f 8 = 2f 8, 4 at 9, 1b 11, 2b 12 */
+    { 0.1, 0.2, {1, 0}, {1, 4} },           /* DIFFERS: x 0.4, y 0.8: 1f 8 = 2f 8, 4 at 9, 1b 11 */
+    { 0.5, 0.25, {2, 5}, {2, 5} },          /* x 2, y 1: 2f 8, 5 at 10.2, 2b 12 */
+    { -0.1, 0.0, {0, 6}, {0, 6} },          /* x -0.4, y 0: 6 at 6.5, 1f 8 = 2f 8 */
+    { 0.1, 0.0, {0, 11}, {0, 11} },         /* x 0.4, y 0: 11 at 7.5, 1f 8 = 2f 8 */
+    { 0.0875, -0.25, {1, 0}, {1, 0} },      /* x 0.35, y -1: 1f 8 = 2f 8, 1b 11, 7 at 11.2, 2b 12 */
+    { 0.5, 0.0, {2, 8}, {2, 8} },           /* x 2, y 0: 2f 8, 8 at 11.5, 2b 12 */
+    { -0.525, 0.0, {1, 0}, {1, 0} },        /* x -2.1, y 0: 1f 8, 1b 11, 9 at 12 */
+    { -0.425, -0.25, {1, 10}, {1, 10} },    /* x -1.7, y -1: 1f 8, 10 at 9, 1b 11 */
+    { -0.1625, -0.25, {1, 0}, {1, 10} },    /* DIFFERS: x -0.65, y -1: 1f 8 = 2f 8, 10 at 9, 1b 11 */
+    { 0.5, -0.25, {0, 12}, {0, 12} },       /* x 2, y -1: 12 at 7, 2f 8 */
+    { -0.325, 0.0, {1, 0}, {1, 0} },        /* x -1.3, y 0: 1f 8, 1b 11 */
+    { 0.31, 0.0, {2, 0}, {2, 0} },          /* x 1.24, y 0: 2f 8, 2b 12 */
+    { 0.875, 0.25, {0, 0}, {0, 0} },        /* x 3.5, y 1: nothing */
+};
+
+/* from -x: 1f 7, 1b 11 over z -1..2; 2f 9, 2b 13 over z -2..2; nothing coincides */
+static const probe probe_s9_side[] = {
+    { 0.125, 0.25, {1, 3}, {1, 3} },        /* z 0.5, y 1: 1f 7, 3 at 7.4, 2f 9 */
+    { 0.125, -0.25, {1, 10}, {1, 10} },     /* z 0.5, y -1: 1f 7, 10 at 7.6, 2f 9 */
+    { -0.625, 0.0, {0, 9}, {0, 9} },        /* z -2.5, y 0: 9 at 7.4, outside both */
+    { -0.4375, 0.0, {2, 8}, {2, 8} },       /* z -1.75, y 0: 2f 9, 8 at 11.5, 2b 13, beside 1 */
+    { -0.125, 0.25, {1, 0}, {1, 0} },       /* z -0.5, y 1: 1f 7, 2f 9, 1b 11, 5 at 11.5, 2b 13 */
+    { -0.375, -0.25, {2, 7}, {2, 7} },      /* z -1.5, y -1: 2f 9, 7 at 10, 2b 13, beside 1 */
+    { 0.375, 0.0, {1, 0}, {1, 11} },        /* DIFFERS: z 1.5, y 0: 1f 7, 2f 9, 11 at 10.1, 1b 11 */
+    { 0.5625, 0.0, {0, 11}, {0, 11} },      /* z 2.25, y 0: 11 at 10.1, outside both */
+    { 0.6875, -0.25, {0, 12}, {0, 12} },    /* z 2.75, y -1: 12 at 11.5, outside both */
+};
+
+static const probe_view probe_s9_views[] = {
+    { "front", PROBE_FROM_ZP, PROBE_COUNT(probe_s9_front), probe_s9_front },
+    { "side", PROBE_FROM_XN, PROBE_COUNT(probe_s9_side), probe_s9_side },
+};
+
+static const probe_example probe_s9_examples[] = {
+    /* 1 over the background, a 0.5, w_b 0.5: a C_t = (0.4, 0.2, 0.3); published adds
+     * 0.5 (0.8, 0.6, 0.4) = (0.4, 0.3, 0.2); normalised divides by 1.0; over adds
+     * 0.5 (0.8, 0.6, 0.4), the same */
+    { 0, 1, false, {0.8, 0.5, 0.5}, {0.8, 0.5, 0.5}, {0.8, 0.5, 0.5} },
+    /* by the published rule, 1 over 4, w_o 0.75: published adds 0.75 (0.4, 0.6, 0.2) =
+     * (0.3, 0.45, 0.15); normalised divides by 1.25; over adds 0.5 (0.4, 0.6, 0.2) = (0.2, 0.3, 0.1) */
+    { 0, 1, true, {0.7, 0.65, 0.45}, {0.56, 0.52, 0.36}, {0.6, 0.5, 0.4} },
+    /* 2 over 5, a 0.6: a C_t = (0.06, 0.54, 0.3); published adds 0.75 (0.9, 0.2, 0) = (0.675, 0.15, 0);
+     * normalised divides by 1.35; over adds 0.4 (0.9, 0.2, 0) = (0.36, 0.08, 0) */
+    { 0, 3, false, {0.735, 0.69, 0.3}, {0.735 / 1.35, 0.69 / 1.35, 0.3 / 1.35}, {0.42, 0.62, 0.3} },
+};
+
+#define PROBE_SCENE_9 { "coincident", {0.8, 0.6, 0.4}, 0.75, 0.5, \
+    PROBE_COUNT(probe_s9_objects), probe_s9_objects, PROBE_COUNT(probe_s9_views), probe_s9_views, \
+    PROBE_COUNT(probe_s9_examples), probe_s9_examples }
+
+/* ---- All scenes ------------------------------------------------------------------------ */
+
+static const probe_scene probe_scenes[] = {
+    PROBE_SCENE_1, PROBE_SCENE_2, PROBE_SCENE_3, PROBE_SCENE_4, PROBE_SCENE_5,
+    PROBE_SCENE_6, PROBE_SCENE_7, PROBE_SCENE_8, PROBE_SCENE_9,
+};
+
+enum { PROBE_SCENE_COUNT = 9 };
+
+#endif
