@@ -1,0 +1,762 @@
+/* mock_transparency.c: transparency.h on a driver that is not there: plans, call order, missing functions, failing
+ * shaders and framebuffers, what a steady frame may not call, and that nothing is left behind. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include <math.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define TRANSPARENCY_IMPLEMENTATION
+#include "transparency.h"
+
+/* ---- the driver that is not there ---- */
+
+enum { MAX_CALLS = 20000 };
+
+static struct {
+    const char *version;
+    const char *missing;      /* function that get_proc does not know */
+    int fail_compile;         /* 1: shaders do not compile; 2: programs do not link */
+    int fail_framebuffer;     /* the n-th check of completeness fails; 0: none */
+    int framebuffer_checks, samples, max_texture_size;
+    int live[6];              /* textures, framebuffers, buffers, vertex arrays, shaders, programs */
+    uint32_t next_name;
+    const char *calls[MAX_CALLS];
+    int call_count;
+    uint32_t bound_framebuffer, program;
+    int active_unit;
+    uint32_t unit_textures[32];
+    char text[4096]; /* all that was logged */
+} driver;
+
+enum { TEXTURES, FRAMEBUFFERS, BUFFERS, ARRAYS, SHADERS, PROGRAMS };
+
+static void reset_driver(void)
+{
+    memset(&driver, 0, sizeof driver);
+    driver.version = "4.5.0 Mock";
+    driver.max_texture_size = 16384;
+}
+
+static void note(const char *name)
+{
+    assert_true(driver.call_count < MAX_CALLS);
+    driver.calls[driver.call_count++] = name;
+}
+
+static int called_since(int first, const char *name)
+{
+    int count = 0;
+    for (int i = first; i < driver.call_count; ++i)
+        count += strcmp(driver.calls[i], name) == 0;
+    return count;
+}
+
+static void generate(int kind, int32_t count, uint32_t *names)
+{
+    driver.live[kind] += count;
+    for (int32_t i = 0; i < count; ++i)
+        names[i] = ++driver.next_name;
+}
+
+/* Deleting the name 0 is silently nothing, as in GL. */
+static void discard(int kind, int32_t count, const uint32_t *names)
+{
+    for (int32_t i = 0; i < count; ++i)
+        driver.live[kind] -= names[i] != 0;
+}
+
+#define U uint32_t
+#define I int32_t
+#define B unsigned char
+#define FAKE(name, parameters, body)                                                                                   \
+    static void fake_##name parameters                                                                                 \
+    {                                                                                                                  \
+        note(#name);                                                                                                   \
+        body                                                                                                           \
+    }
+
+FAKE(ActiveTexture, (U a), driver.active_unit = (int)(a - 0x84C0u);)
+FAKE(AttachShader, (U a, U b), (void)a; (void)b;)
+FAKE(BindBuffer, (U a, U b), (void)a; (void)b;)
+FAKE(BindBufferBase, (U a, U b, U c), (void)a; (void)b; (void)c;)
+FAKE(BindBufferRange, (U a, U b, U c, ptrdiff_t d, ptrdiff_t e), (void)a; (void)b; (void)c; (void)d; (void)e;)
+FAKE(BindFramebuffer, (U a, U b), if (a == 0x8CA9u) driver.bound_framebuffer = b;)
+FAKE(BindSampler, (U a, U b), (void)a; (void)b;)
+FAKE(BindTexture, (U a, U b), (void)a; driver.unit_textures[driver.active_unit & 31] = b;)
+FAKE(BindVertexArray, (U a), (void)a;)
+FAKE(BlendEquationSeparate, (U a, U b), (void)a; (void)b;)
+FAKE(BlendEquationSeparatei, (U a, U b, U c), (void)a; (void)b; (void)c;)
+FAKE(BlendFuncSeparate, (U a, U b, U c, U d), (void)a; (void)b; (void)c; (void)d;)
+FAKE(BlendFuncSeparatei, (U a, U b, U c, U d, U e), (void)a; (void)b; (void)c; (void)d; (void)e;)
+FAKE(BufferData, (U a, ptrdiff_t b, const void *c, U d), (void)a; (void)b; (void)c; (void)d;)
+FAKE(BufferSubData, (U a, ptrdiff_t b, ptrdiff_t c, const void *d), (void)a; (void)b; (void)c; (void)d;)
+FAKE(ClearBufferfv, (U a, I b, const float *c), (void)a; (void)b; (void)c;)
+FAKE(ColorMask, (B a, B b, B c, B d), (void)a; (void)b; (void)c; (void)d;)
+FAKE(ColorMaski, (U a, B b, B c, B d, B e), (void)a; (void)b; (void)c; (void)d; (void)e;)
+FAKE(CompileShader, (U a), (void)a;)
+FAKE(CullFace, (U a), (void)a;)
+FAKE(DeleteBuffers, (I a, const U *b), discard(BUFFERS, a, b);)
+FAKE(DeleteFramebuffers, (I a, const U *b), discard(FRAMEBUFFERS, a, b);)
+FAKE(DeleteProgram, (U a), discard(PROGRAMS, 1, &a);)
+FAKE(DeleteShader, (U a), discard(SHADERS, 1, &a);)
+FAKE(DeleteTextures, (I a, const U *b), discard(TEXTURES, a, b);)
+FAKE(DeleteVertexArrays, (I a, const U *b), discard(ARRAYS, a, b);)
+FAKE(DepthFunc, (U a), (void)a;)
+FAKE(DepthMask, (B a), (void)a;)
+FAKE(DepthRange, (double a, double b), (void)a; (void)b;)
+FAKE(DepthRangef, (float a, float b), (void)a; (void)b;)
+FAKE(Disable, (U a), (void)a;)
+FAKE(Disablei, (U a, U b), (void)a; (void)b;)
+FAKE(DrawArrays, (U a, I b, I c), (void)a; (void)b; (void)c;)
+FAKE(DrawBuffers, (I a, const U *b), (void)a; (void)b;)
+FAKE(Enable, (U a), (void)a;)
+FAKE(Enablei, (U a, U b), (void)a; (void)b;)
+FAKE(FramebufferTexture2D, (U a, U b, U c, U d, I e), (void)a; (void)b; (void)c; (void)d; (void)e;)
+FAKE(FrontFace, (U a), (void)a;)
+FAKE(GenBuffers, (I a, U *b), generate(BUFFERS, a, b);)
+FAKE(GenFramebuffers, (I a, U *b), generate(FRAMEBUFFERS, a, b);)
+FAKE(GenTextures, (I a, U *b), generate(TEXTURES, a, b);)
+FAKE(GenVertexArrays, (I a, U *b), generate(ARRAYS, a, b);)
+FAKE(GetBooleanv, (U a, B *b), (void)a; memset(b, 1, 4);)
+FAKE(GetBooleani_v, (U a, U b, B *c), (void)a; (void)b; memset(c, 1, 4);)
+FAKE(GetFloatv, (U a, float *b), (void)a; b[0] = 0; b[1] = 1;)
+FAKE(GetInteger64i_v, (U a, U b, int64_t *c), (void)a; (void)b; *c = 0;)
+FAKE(GetIntegeri_v, (U a, U b, I *c), (void)a; (void)b; *c = 0;)
+FAKE(GetProgramInfoLog, (U a, I b, I *c, char *d), (void)a; (void)c; snprintf(d, (size_t)b, "link trouble");)
+FAKE(GetShaderInfoLog, (U a, I b, I *c, char *d), (void)a; (void)c; snprintf(d, (size_t)b, "compile trouble");)
+FAKE(GetProgramiv, (U a, U b, I *c), (void)a; (void)b; *c = driver.fail_compile != 2;)
+FAKE(GetShaderiv, (U a, U b, I *c), (void)a; (void)b; *c = driver.fail_compile != 1;)
+FAKE(LinkProgram, (U a), (void)a;)
+FAKE(PolygonMode, (U a, U b), (void)a; (void)b;)
+FAKE(ReadBuffer, (U a), (void)a;)
+FAKE(ShaderSource, (U a, I b, const char *const *c, const I *d), (void)a; (void)b; (void)c; (void)d;)
+FAKE(TexImage2D, (U a, I b, I c, I d, I e, I f, U g, U h, const void *i),
+     (void)a; (void)b; (void)c; (void)d; (void)e; (void)f; (void)g; (void)h; (void)i;)
+FAKE(TexParameteri, (U a, U b, I c), (void)a; (void)b; (void)c;)
+FAKE(Uniform1i, (I a, I b), (void)a; (void)b;)
+FAKE(Uniform1ui, (I a, U b), (void)a; (void)b;)
+FAKE(Uniform2f, (I a, float b, float c), (void)a; (void)b; (void)c;)
+FAKE(Uniform4fv, (I a, I b, const float *c), (void)a; (void)b; (void)c;)
+FAKE(UniformBlockBinding, (U a, U b, U c), (void)a; (void)b; (void)c;)
+FAKE(UniformMatrix3fv, (I a, I b, B c, const float *d), (void)a; (void)b; (void)c; (void)d;)
+FAKE(UniformMatrix4fv, (I a, I b, B c, const float *d), (void)a; (void)b; (void)c; (void)d;)
+FAKE(UseProgram, (U a), driver.program = a;)
+FAKE(Viewport, (I a, I b, I c, I d), (void)a; (void)b; (void)c; (void)d;)
+
+static void fake_GetIntegerv(U what, I *out)
+{
+    note("GetIntegerv");
+    *out = 0;
+    switch (what) {
+    case 0x0BA2u: out[1] = out[2] = out[3] = 7; break;  /* viewport */
+    case 0x0B40u: out[0] = 0x1B02; break;               /* polygon mode */
+    case 0x0D33u: *out = driver.max_texture_size; break;
+    case 0x8B4Du: *out = 32; break;                     /* texture units */
+    case 0x8A2Fu: *out = 36; break;                     /* uniform bindings */
+    case 0x8824u: *out = 8; break;                      /* draw buffers */
+    case 0x0D32u: *out = 8; break;                      /* clip distances */
+    case 0x80A9u: *out = driver.samples; break;
+    case 0x84E0u: *out = 0x84C0 + driver.active_unit; break;
+    case 0x8B8Du: *out = (I)driver.program; break;
+    case 0x8CA6u: *out = (I)driver.bound_framebuffer; break;
+    default: break;
+    }
+}
+
+static U fake_CheckFramebufferStatus(U a)
+{
+    note("CheckFramebufferStatus");
+    (void)a;
+    return ++driver.framebuffer_checks == driver.fail_framebuffer ? 0x8CD6u : 0x8CD5u;
+}
+
+static U fake_CreateProgram(void)
+{
+    U name;
+    note("CreateProgram");
+    generate(PROGRAMS, 1, &name);
+    return name;
+}
+
+static U fake_CreateShader(U a)
+{
+    U name;
+    note("CreateShader");
+    (void)a;
+    generate(SHADERS, 1, &name);
+    return name;
+}
+
+static const B *fake_GetString(U a)
+{
+    note("GetString");
+    (void)a;
+    return (const B *)driver.version;
+}
+
+static U fake_GetUniformBlockIndex(U a, const char *b)
+{
+    note("GetUniformBlockIndex");
+    (void)a, (void)b;
+    return 0;
+}
+
+static I fake_GetUniformLocation(U a, const char *b)
+{
+    note("GetUniformLocation");
+    (void)a, (void)b;
+    return 1;
+}
+
+static B fake_IsEnabled(U a)
+{
+    note("IsEnabled");
+    (void)a;
+    return 0;
+}
+
+static B fake_IsEnabledi(U a, U b)
+{
+    note("IsEnabledi");
+    (void)a, (void)b;
+    return 0;
+}
+
+static B fake_IsProgram(U a)
+{
+    note("IsProgram");
+    return a != 0;
+}
+
+static tr_proc get_proc(const char *name)
+{
+#define GIVE(type, function, parameters)                                                                               \
+    if (strcmp(name, "gl" #function) == 0)                                                                             \
+        return driver.missing && strcmp(driver.missing, name) == 0 ? NULL : (tr_proc)fake_##function;
+    TR_I_GL_REQUIRED(GIVE)
+    TR_I_GL_DESKTOP(GIVE)
+    TR_I_GL_INDEXED(GIVE)
+    TR_I_GL_INDEXED_BLEND(GIVE)
+    TR_I_GL_ES(GIVE)
+#undef GIVE
+    return NULL;
+}
+
+static const char *const required_names[] = {
+#define NAME(type, function, parameters) "gl" #function,
+    TR_I_GL_REQUIRED(NAME)
+#undef NAME
+};
+
+/* ---- helpers ---- */
+
+static int blocks, blocks_left;
+
+static void *count_alloc(size_t size, void *user)
+{
+    (void)user;
+    if (blocks_left == 0)
+        return NULL;
+    --blocks_left;
+    ++blocks;
+    return malloc(size);
+}
+
+static void count_free(void *block, void *user)
+{
+    (void)user;
+    blocks -= block != NULL;
+    free(block);
+}
+
+static void keep_text(tr_log_level level, tr_result code, const char *text, void *user)
+{
+    (void)level, (void)code, (void)user;
+    snprintf(driver.text + strlen(driver.text), sizeof driver.text - strlen(driver.text), "%s\n", text);
+}
+
+static tr_desc make_desc(tr_state_policy policy)
+{
+    tr_desc desc = {0};
+    desc.get_proc = get_proc;
+    desc.alloc_fn = count_alloc;
+    desc.free_fn = count_free;
+    desc.log_fn = keep_text;
+    desc.state = policy;
+    blocks = 0;
+    blocks_left = 1000;
+    return desc;
+}
+
+static tr_frame make_frame(uint32_t opaque, uint32_t transparent)
+{
+    tr_frame frame = {0};
+    frame.width = 64;
+    frame.height = 32;
+    frame.scene.opaque = opaque;
+    frame.scene.transparent = transparent;
+    frame.wishes.lines = TR_LINES_CREASES | TR_LINES_OUTLINES;
+    return frame;
+}
+
+static int run_frame(tr_context *tr, const tr_frame *frame)
+{
+    tr_pass pass;
+    int passes = 0;
+    assert_int_equal(tr_begin(tr, frame), TR_OK);
+    while (tr_next_pass(tr, &pass))
+        ++passes;
+    assert_int_equal(tr_end(tr), TR_OK);
+    return passes;
+}
+
+static void assert_nothing_left(void)
+{
+    for (int i = 0; i < 6; ++i)
+        assert_int_equal(driver.live[i], 0);
+    assert_int_equal(blocks, 0);
+}
+
+/* ---- creation ---- */
+
+static void test_each_missing_function_is_named(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < sizeof required_names / sizeof required_names[0]; ++i) {
+        tr_result result;
+        tr_desc desc = make_desc(TR_STATE_RESTORE);
+        reset_driver();
+        driver.missing = required_names[i];
+        assert_null(tr_create(&desc, &result));
+        assert_int_equal(result, TR_GL_FUNCTION_MISSING);
+        assert_non_null(strstr(driver.text, required_names[i]));
+        assert_nothing_left();
+    }
+}
+
+static void test_versions(void **state)
+{
+    static const struct {
+        const char *version;
+        int max, expected, es; /* expected 0: too old */
+    } cases[] = {
+        {"3.3.0 NVIDIA 470", 0, 330, 0},  {"4.6 (Core Profile) Mesa", 0, 460, 0}, {"OpenGL ES 3.0 Mesa", 0, 300, 1},
+        {"OpenGL ES 3.2 v1.r1", 0, 320, 1}, {"4.6", 330, 330, 0},                 {"3.2.0", 0, 0, 0},
+        {"OpenGL ES 2.0", 0, 0, 1},       {"OpenGL ES-CM 1.1", 0, 0, 0},          {"", 0, 0, 0},
+        {NULL, 0, 0, 0},                  {"4", 0, 0, 0},                         {"4.", 0, 0, 0},
+        {"four.five", 0, 0, 0},           {"4.5", 320, 0, 0},
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
+        tr_result result;
+        tr_desc desc = make_desc(TR_STATE_RESTORE);
+        reset_driver();
+        driver.version = cases[i].version;
+        desc.max_gl_version = cases[i].max;
+        tr_context *tr = tr_create(&desc, &result);
+        if (cases[i].expected) {
+            assert_non_null(tr);
+            assert_int_equal(tr_get_info(tr).version, cases[i].expected);
+            assert_int_equal(tr_get_info(tr).es, cases[i].es);
+        } else {
+            assert_null(tr);
+            assert_int_equal(result, TR_GL_TOO_OLD);
+        }
+        tr_destroy(tr);
+        assert_nothing_left();
+    }
+}
+
+static void test_bad_descs(void **state)
+{
+    tr_result result;
+    tr_desc desc = make_desc(TR_STATE_RESTORE);
+    (void)state;
+    reset_driver();
+    assert_null(tr_create(NULL, &result));
+    assert_int_equal(result, TR_INVALID_ARGUMENT);
+    desc.free_fn = NULL;
+    assert_null(tr_create(&desc, &result));
+    assert_int_equal(result, TR_INVALID_ARGUMENT);
+    desc = make_desc(TR_STATE_RESTORE);
+    desc.get_proc = NULL;
+    assert_null(tr_create(&desc, NULL));
+    desc = make_desc((tr_state_policy)7);
+    assert_null(tr_create(&desc, &result));
+    desc = make_desc(TR_STATE_RESTORE);
+    desc.first_texture_unit = 28; /* five of 32 do not fit */
+    assert_null(tr_create(&desc, &result));
+    assert_int_equal(result, TR_INVALID_ARGUMENT);
+    assert_non_null(strstr(driver.text, "first_texture_unit"));
+    desc = make_desc(TR_STATE_RESTORE);
+    desc.uniform_binding = 36;
+    assert_null(tr_create(&desc, &result));
+    assert_non_null(strstr(driver.text, "uniform_binding"));
+    desc = make_desc(TR_STATE_RESTORE);
+    blocks_left = 0;
+    assert_null(tr_create(&desc, &result));
+    assert_int_equal(result, TR_OUT_OF_MEMORY);
+    assert_nothing_left();
+}
+
+/* ---- frames ---- */
+
+static void test_failing_shaders_are_reported(void **state)
+{
+    (void)state;
+    for (int how = 1; how <= 2; ++how) {
+        tr_desc desc = make_desc(TR_STATE_RESTORE);
+        tr_frame frame = make_frame(1, 2);
+        reset_driver();
+        tr_context *tr = tr_create(&desc, NULL);
+        driver.fail_compile = how;
+        assert_int_equal(tr_begin(tr, &frame), TR_SHADER_FAILED);
+        assert_non_null(strstr(driver.text, how == 1 ? "compile trouble" : "link trouble"));
+        assert_int_equal(driver.live[SHADERS], 0);
+        assert_int_equal(driver.live[PROGRAMS], 0);
+        driver.fail_compile = 0;
+        assert_true(run_frame(tr, &frame) > 0); /* the next frame works */
+        tr_destroy(tr);
+        assert_nothing_left();
+    }
+}
+
+static void test_failing_framebuffers_leave_nothing(void **state)
+{
+    (void)state;
+    for (int n = 1; n <= 7; ++n) { /* the target's check, then six of our own */
+        tr_desc desc = make_desc(TR_STATE_RESTORE);
+        tr_frame frame = make_frame(1, 2);
+        reset_driver();
+        tr_context *tr = tr_create(&desc, NULL);
+        driver.fail_framebuffer = n;
+        assert_int_equal(tr_begin(tr, &frame), TR_TARGET_INCOMPLETE);
+        assert_int_equal(driver.live[TEXTURES], 0);
+        assert_int_equal(driver.live[FRAMEBUFFERS], 0);
+        assert_true(run_frame(tr, &frame) > 0);
+        tr_destroy(tr);
+        assert_nothing_left();
+    }
+}
+
+static void test_bad_frames(void **state)
+{
+    tr_desc desc = make_desc(TR_STATE_RESTORE);
+    tr_pass pass;
+    (void)state;
+    reset_driver();
+    tr_context *tr = tr_create(&desc, NULL);
+    tr_frame frame = make_frame(1, 1);
+    assert_int_equal(tr_begin(tr, NULL), TR_INVALID_ARGUMENT);
+    assert_int_equal(tr_begin(NULL, &frame), TR_INVALID_ARGUMENT);
+    assert_int_equal(tr_end(tr), TR_WRONG_ORDER);
+    assert_false(tr_next_pass(tr, &pass));
+    frame.width = -1;
+    assert_int_equal(tr_begin(tr, &frame), TR_INVALID_ARGUMENT);
+    frame.width = 16385;
+    assert_int_equal(tr_begin(tr, &frame), TR_TOO_LARGE);
+    frame = make_frame(1, 1);
+    frame.light[1] = NAN;
+    assert_int_equal(tr_begin(tr, &frame), TR_INVALID_ARGUMENT);
+    frame = make_frame(1, 1);
+    frame.warm[2] = INFINITY;
+    assert_int_equal(tr_begin(tr, &frame), TR_INVALID_ARGUMENT);
+    frame = make_frame(1, 1);
+    frame.wishes.blending = (tr_blending)3;
+    assert_int_equal(tr_begin(tr, &frame), TR_INVALID_ARGUMENT);
+    frame = make_frame(1, 1);
+    driver.samples = 4;
+    assert_int_equal(tr_begin(tr, &frame), TR_TARGET_MULTISAMPLED);
+    driver.samples = 0;
+    frame.width = 0; /* no area: no pass, no error, no call into GL */
+    int before = driver.call_count;
+    assert_int_equal(tr_begin(tr, &frame), TR_OK);
+    assert_false(tr_next_pass(tr, &pass));
+    assert_int_equal(tr_end(tr), TR_OK);
+    assert_int_equal(driver.call_count, before);
+    frame = make_frame(1, 1);
+    assert_int_equal(tr_begin(tr, &frame), TR_OK);
+    assert_int_equal(tr_begin(tr, &frame), TR_WRONG_ORDER);
+    assert_int_equal(tr_end(tr), TR_OK); /* early: passes left out */
+    tr_destroy(tr);
+    assert_nothing_left();
+}
+
+/* From the second frame on: nothing created, deleted, compiled, uploaded, allocated, read back or waited for. */
+static void test_steady_frames_create_nothing(void **state)
+{
+    static const char *const never[] = {
+        "GenTextures", "GenFramebuffers", "GenBuffers",     "GenVertexArrays",     "CreateShader",
+        "CreateProgram", "TexImage2D",    "BufferData",     "BufferSubData",       "CompileShader",
+        "LinkProgram",   "ShaderSource",  "DeleteTextures", "DeleteFramebuffers",  "GetUniformLocation",
+        "Finish",        "ReadPixels",    "GetError",       "FramebufferTexture2D"};
+    (void)state;
+    for (int policy = 0; policy < 4; ++policy) {
+        tr_desc desc = make_desc((tr_state_policy)policy);
+        tr_frame frame = make_frame(3, 4);
+        reset_driver();
+        tr_context *tr = tr_create(&desc, NULL);
+        run_frame(tr, &frame);
+        int first = driver.call_count, allocated = blocks_left;
+        for (int i = 0; i < 5; ++i)
+            run_frame(tr, &frame);
+        for (size_t i = 0; i < sizeof never / sizeof never[0]; ++i)
+            assert_int_equal(called_since(first, never[i]), 0);
+        assert_int_equal(blocks_left, allocated);
+        tr_destroy(tr);
+        assert_nothing_left();
+    }
+}
+
+/* STATE_NONE: in a steady frame not one GL call is made between tr_begin and tr_end. */
+static void test_state_none_makes_no_call(void **state)
+{
+    tr_desc desc = make_desc(TR_STATE_NONE);
+    tr_frame frame = make_frame(3, 4);
+    tr_pass pass;
+    int full_screen = 0;
+    (void)state;
+    reset_driver();
+    tr_context *tr = tr_create(&desc, NULL);
+    run_frame(tr, &frame);
+    int before = driver.call_count;
+    assert_int_equal(tr_begin(tr, &frame), TR_OK);
+    while (tr_next_pass(tr, &pass)) {
+        assert_true(pass.state.program != 0);
+        full_screen += pass.state.vertex_count == 3 && pass.state.vertex_array != 0;
+    }
+    assert_int_equal(tr_end(tr), TR_OK);
+    assert_int_equal(driver.call_count, before);
+    assert_int_equal(full_screen, 2); /* the copy of depth and the composition are the host's to draw */
+    tr_destroy(tr);
+    assert_nothing_left();
+}
+
+/* No pass reads a texture that it draws into. */
+static void test_no_pass_reads_what_it_draws(void **state)
+{
+    (void)state;
+    for (int variant = 0; variant < 24; ++variant) {
+        tr_desc desc = make_desc(TR_STATE_NONE);
+        tr_frame frame = make_frame((uint32_t)variant % 2, (uint32_t)variant / 2 % 3);
+        tr_pass pass;
+        frame.scene.transparent_two_sided = (uint32_t)variant / 6 % 2;
+        frame.wishes.interior = (tr_interior)(variant / 12);
+        reset_driver();
+        tr_context *tr = tr_create(&desc, NULL);
+        assert_int_equal(tr_begin(tr, &frame), TR_OK);
+        while (tr_next_pass(tr, &pass)) {
+            int fbo = tr_i_fbo_of(pass.kind);
+            for (int unit = 0; fbo >= 0 && unit < TR_I_UNIT_COUNT; ++unit)
+                for (int a = 0; a < 2; ++a)
+                    if (tr_i_attachments[fbo][a] >= 0 && pass.state.textures[unit])
+                        assert_int_not_equal(pass.state.textures[unit], tr->textures[tr_i_attachments[fbo][a]]);
+        }
+        assert_int_equal(tr_end(tr), TR_OK);
+        tr_destroy(tr);
+        assert_nothing_left();
+    }
+}
+
+static void test_resizing_leaks_nothing(void **state)
+{
+    tr_desc desc = make_desc(TR_STATE_RESTORE);
+    (void)state;
+    reset_driver();
+    tr_context *tr = tr_create(&desc, NULL);
+    for (int i = 0; i < 20; ++i) {
+        tr_frame frame = make_frame((uint32_t)i % 2, (uint32_t)i % 3);
+        frame.width = 1 + i % 7;
+        driver.call_count = 0;
+        run_frame(tr, &frame);
+        assert_true(driver.live[TEXTURES] <= 6);
+    }
+    tr_release(tr);
+    assert_int_equal(driver.live[TEXTURES], 0);
+    assert_int_equal(tr_get_info(tr).bytes, 0);
+    tr_destroy(tr);
+    assert_nothing_left();
+}
+
+/* ---- plans ---- */
+
+static int count_kind(const tr_plan *plan, tr_pass_kind kind)
+{
+    int count = 0;
+    for (int i = 0; i < plan->pass_count; ++i)
+        count += plan->passes[i].kind == kind;
+    return count;
+}
+
+/* What is not in the scene or not wished costs no pass and no byte. */
+static void test_plans_hold_only_what_is_needed(void **state)
+{
+    tr_scene scene = {0, 0, 0, 0};
+    tr_wishes wishes = {TR_INTERIOR_IMPLICIT, TR_BLENDING_OVER, 0};
+    tr_plan plan;
+    (void)state;
+    assert_int_equal(tr_plan_make(&scene, &wishes, &plan), TR_OK);
+    assert_int_equal(plan.pass_count, 0);
+    assert_int_equal(plan.bytes_per_pixel, 0);
+    scene.opaque = 5;
+    tr_plan_make(&scene, &wishes, &plan);
+    assert_int_equal(plan.pass_count, 2); /* opaque, compose */
+    assert_int_equal(plan.bytes_per_pixel, 8);
+    scene.transparent = 1;
+    tr_plan_make(&scene, &wishes, &plan);
+    assert_int_equal(count_kind(&plan, TR_PASS_OWNER), 0); /* alone: nobody to tie with */
+    assert_int_equal(count_kind(&plan, TR_PASS_LIMIT), 1);
+    assert_int_equal(plan.bytes_per_pixel, 16);
+    scene.transparent = 2;
+    tr_plan_make(&scene, &wishes, &plan);
+    assert_int_equal(count_kind(&plan, TR_PASS_OWNER), 1);
+    assert_int_equal(plan.bytes_per_pixel, 20);
+    wishes.lines = TR_LINES_OUTLINES;
+    tr_plan_make(&scene, &wishes, &plan);
+    assert_int_equal(count_kind(&plan, TR_PASS_OPAQUE_LINES), 1);
+    assert_int_equal(count_kind(&plan, TR_PASS_TRANSPARENT_LINES), 1);
+    assert_int_equal(plan.bytes_per_pixel, 24);
+    scene.opaque = 0;
+    tr_plan_make(&scene, &wishes, &plan);
+    assert_int_equal(count_kind(&plan, TR_PASS_LIMIT), 0); /* nothing to limit */
+    assert_int_equal(count_kind(&plan, TR_PASS_COPY_DEPTH), 0);
+    wishes.interior = TR_INTERIOR_IMPLICIT_PUBLISHED;
+    tr_plan_make(&scene, &wishes, &plan);
+    assert_int_equal(count_kind(&plan, TR_PASS_LIMIT), 1); /* there it hides front faces as well */
+}
+
+static void test_largest_plan_fits(void **state)
+{
+    tr_scene scene = {UINT32_MAX, UINT32_MAX, UINT32_MAX, UINT32_MAX};
+    tr_plan plan;
+    (void)state;
+    for (int interior = 0; interior < 3; ++interior) {
+        tr_wishes wishes = {(tr_interior)interior, TR_BLENDING_OVER, TR_LINES_CREASES | TR_LINES_OUTLINES};
+        assert_int_equal(tr_plan_make(&scene, &wishes, &plan), TR_OK);
+        assert_true(plan.pass_count <= TR_MAX_PASSES);
+        assert_true(count_kind(&plan, TR_PASS_OWNER) == 2);
+        for (int i = 0; i < plan.pass_count; ++i)
+            assert_non_null(plan.passes[i].why);
+    }
+    assert_int_equal(tr_plan_make(NULL, NULL, &plan), TR_INVALID_ARGUMENT);
+    tr_wishes bad = {TR_INTERIOR_IMPLICIT, TR_BLENDING_OVER, 4};
+    assert_int_equal(tr_plan_make(&scene, &bad, &plan), TR_INVALID_ARGUMENT);
+}
+
+static void test_plan_prints_like_snprintf(void **state)
+{
+    tr_scene scene = {1, 0, 2, 0};
+    tr_wishes wishes = {TR_INTERIOR_IMPLICIT, TR_BLENDING_OVER, TR_LINES_OUTLINES};
+    tr_plan plan;
+    char whole[2048], part[40];
+    (void)state;
+    tr_plan_make(&scene, &wishes, &plan);
+    size_t needed = tr_plan_print(&plan, NULL, 0);
+    assert_int_equal(tr_plan_print(&plan, whole, sizeof whole), needed);
+    assert_int_equal(strlen(whole), needed);
+    assert_non_null(strstr(whole, "owner"));
+    memset(part, 'x', sizeof part);
+    assert_int_equal(tr_plan_print(&plan, part, 10), needed);
+    assert_memory_equal(part, whole, 9);
+    assert_int_equal(part[9], 0);
+    assert_int_equal(part[10], 'x');
+}
+
+static void test_objects_and_passes(void **state)
+{
+    static const tr_object objects[4] = {{1, TR_OPAQUE}, {2, TR_TWO_SIDED}, {3, TR_TRANSPARENT}, {4, TR_TRANSPARENT | TR_TWO_SIDED}};
+    tr_pass pass;
+    (void)state;
+    tr_scene scene = tr_scene_count(objects, 4, sizeof objects[0]);
+    assert_true(scene.opaque == 1 && scene.opaque_two_sided == 1 && scene.transparent == 1 && scene.transparent_two_sided == 1);
+    memset(&pass, 0, sizeof pass);
+    for (uint32_t classes = 0; classes < 16; ++classes)
+        for (uint32_t i = 0; i < 4; ++i) {
+            pass.classes = classes;
+            assert_int_equal(tr_pass_draws(&pass, &objects[i]), (int)((classes >> objects[i].flags) & 1u));
+        }
+    assert_false(tr_pass_draws(NULL, &objects[0]));
+    assert_false(tr_pass_draws(&pass, NULL));
+}
+
+/* ---- the alpha law: equation 2 and its bad inputs ---- */
+
+static void test_view_alpha(void **state)
+{
+    (void)state;
+    for (float k = 0.0f; k <= 4.0f; k += 0.125f) {
+        assert_true(tr_view_alpha(0.0f, 2.0f, k) == 1.0f); /* the silhouette is opaque for every k */
+        assert_true(tr_view_alpha(2.0f, 2.0f, k) == 0.0f);
+        assert_true(tr_view_alpha(9.0f, 2.0f, k) == 0.0f);
+        for (float d = 0.01f; d < 2.0f; d += 0.01f) {
+            double expected = 1.0 - pow((double)d / 2.0, (double)k);
+            assert_true(fabs((double)tr_view_alpha(d, 2.0f, k) - expected) < 1e-6);
+        }
+    }
+    assert_true(tr_view_alpha(1.0f, 0.0f, 1.0f) == 1.0f);
+    assert_true(tr_view_alpha(1.0f, -1.0f, 1.0f) == 1.0f);
+    assert_true(tr_view_alpha(-1.0f, 1.0f, 1.0f) == 1.0f);
+    assert_true(tr_view_alpha(NAN, 1.0f, 1.0f) == 1.0f);
+    assert_true(tr_view_alpha(1.0f, NAN, 1.0f) == 1.0f);
+    assert_true(tr_view_alpha(INFINITY, 1.0f, 1.0f) == 0.0f); /* no silhouette: the eye is inside */
+    assert_true(tr_view_alpha(INFINITY, INFINITY, 1.0f) == 0.0f);
+    assert_true(tr_view_alpha(1.0f, INFINITY, 0.5f) >= 0.99f);
+    assert_true(tr_view_alpha(0.5f, 1.0f, -3.0f) == tr_view_alpha(0.5f, 1.0f, 0.0f));
+    assert_true(tr_view_alpha(0.5f, 1.0f, NAN) == 0.0f); /* counts as 0 */
+    assert_true(tr_view_alpha(1e-45f, 1e-38f, 0.5f) <= 1.0f);
+    assert_true(tr_view_alpha(1e-45f, 1e38f, 0.0f) == 0.0f);
+}
+
+static void test_strings(void **state)
+{
+    tr_desc desc = make_desc(TR_STATE_RESTORE);
+    int count = 0;
+    (void)state;
+    reset_driver();
+    tr_context *tr = tr_create(&desc, NULL);
+    for (int stage = 0; stage < TR_STAGE_COUNT; ++stage)
+        for (int rule = 0; rule < TR_RULE_COUNT; ++rule) {
+            const char *const *strings = tr_glsl(tr, (tr_stage)stage, (tr_rule)rule, &count);
+            assert_non_null(strings);
+            assert_true(count > 2 && count < TR_I_MAX_STRINGS);
+            assert_non_null(strstr(strings[0], "#version 330 core"));
+        }
+    assert_null(tr_glsl(tr, TR_STAGE_COUNT, TR_RULE_FRONT, &count));
+    assert_null(tr_glsl(tr, TR_VERTEX, TR_RULE_COUNT, &count));
+    assert_null(tr_glsl(NULL, TR_VERTEX, TR_RULE_FRONT, &count));
+    for (int i = 0; i < TR_RESULT_COUNT; ++i)
+        assert_true(strlen(tr_result_string((tr_result)i)) > 5);
+    assert_string_equal(tr_result_string((tr_result)99), "unknown result");
+    tr_destroy(tr);
+    tr_destroy(NULL);
+    assert_nothing_left();
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_each_missing_function_is_named),
+        cmocka_unit_test(test_versions),
+        cmocka_unit_test(test_bad_descs),
+        cmocka_unit_test(test_failing_shaders_are_reported),
+        cmocka_unit_test(test_failing_framebuffers_leave_nothing),
+        cmocka_unit_test(test_bad_frames),
+        cmocka_unit_test(test_steady_frames_create_nothing),
+        cmocka_unit_test(test_state_none_makes_no_call),
+        cmocka_unit_test(test_no_pass_reads_what_it_draws),
+        cmocka_unit_test(test_resizing_leaks_nothing),
+        cmocka_unit_test(test_plans_hold_only_what_is_needed),
+        cmocka_unit_test(test_largest_plan_fits),
+        cmocka_unit_test(test_plan_prints_like_snprintf),
+        cmocka_unit_test(test_objects_and_passes),
+        cmocka_unit_test(test_view_alpha),
+        cmocka_unit_test(test_strings),
+    };
+    return cmocka_run_group_tests_name("mock_transparency", tests, NULL, NULL);
+}

@@ -1,0 +1,74 @@
+/* dump_shaders: writes the whole text of every stage of every built-in program, and of the strings for hosts, for each
+ * GLSL version that may be met, into a folder, for glslangValidator.
+ *
+ * usage: dump_shaders FOLDER */
+#include <stdbool.h>
+#include <stdio.h>
+#include <string.h>
+
+#define TRANSPARENCY_IMPLEMENTATION
+#include "transparency.h"
+
+/* A newer host may compile the same text as 430 or 310: what we write must be valid there too. */
+static const struct {
+    const char *name, *first_line;
+    bool es;
+} versions[] = {
+    {"330", "#version 330 core\n", false},
+    {"430", "#version 430 core\n", false},
+    {"300es", "#version 300 es\n", true},
+    {"310es", "#version 310 es\n", true},
+};
+
+static bool dump(const char *folder, const char *name, int version, bool reversed, tr_stage stage,
+                 const tr_i_source *source, const char *host_main) {
+    char path[512];
+    snprintf(path, sizeof path, "%s/%s_%s%s.%s", folder, name, versions[version].name, reversed ? "_reversed" : "",
+             stage == TR_VERTEX ? "vert" : "frag");
+    FILE *file = fopen(path, "w");
+    if (!file) {
+        perror(path);
+        return false;
+    }
+    const char *rest = strchr(source->strings[0], '\n') + 1; /* the version's line gives way */
+    fputs(versions[version].first_line, file);
+    fputs(rest, file);
+    for (int i = 1; i < source->count; ++i)
+        fputs(source->strings[i], file);
+    fputs(host_main, file);
+    return fclose(file) == 0;
+}
+
+/* What a host would add to tr_glsl(). */
+static const char *host_main(tr_stage stage) {
+    return stage == TR_VERTEX ? "in vec3 position;\nvoid main()\n{\n    gl_Position = vec4(position, 1.0);\n}\n"
+                              : "void main()\n{\n    tr_surface(vec4(0.5), 7u);\n}\n";
+}
+
+static bool dump_version(const char *folder, int version, bool reversed) {
+    bool ok = true, es = versions[version].es;
+    for (int stage = 0; stage < TR_STAGE_COUNT; ++stage) {
+        tr_i_source source;
+        char name[32];
+        for (int program = 0; program < TR_I_PROGRAM_COUNT; ++program) {
+            tr_i_program_source(&source, program, (tr_stage)stage, es, reversed);
+            snprintf(name, sizeof name, "tr_program_%02d", program);
+            ok = ok && dump(folder, name, version, reversed, (tr_stage)stage, &source, "");
+        }
+        for (int rule = 0; rule < TR_RULE_COUNT; ++rule) {
+            tr_i_host_source(&source, (tr_stage)stage, rule, es, reversed);
+            snprintf(name, sizeof name, "tr_host_%d", rule);
+            ok = ok && dump(folder, name, version, reversed, (tr_stage)stage, &source, host_main((tr_stage)stage));
+        }
+    }
+    return ok;
+}
+
+int main(int argc, char **argv) {
+    bool ok = argc == 2;
+    if (!ok)
+        fprintf(stderr, "usage: dump_shaders FOLDER\n");
+    for (int version = 0; ok && version < (int)(sizeof versions / sizeof versions[0]); ++version)
+        ok = dump_version(argv[1], version, false) && dump_version(argv[1], version, true);
+    return ok ? 0 : 1;
+}
