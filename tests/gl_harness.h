@@ -227,6 +227,7 @@ typedef struct harness_options {
 static inline tr_frame harness_frame(const harness *h, const ref_scene *scene, const harness_object *objects, size_t count)
 {
     tr_frame frame = {0};
+    static const tr_interior interiors[3] = {TR_INTERIOR_IMPLICIT, TR_INTERIOR_IMPLICIT_PUBLISHED, TR_INTERIOR_EXPLICIT};
     static const tr_blending blendings[3] = {TR_BLENDING_PUBLISHED, TR_BLENDING_NORMALISED, TR_BLENDING_OVER};
     bool shaded = false;
     for (size_t i = 0; i < count; ++i)
@@ -236,7 +237,7 @@ static inline tr_frame harness_frame(const harness *h, const ref_scene *scene, c
     frame.height = scene->height;
     frame.scene = tr_scene_count(objects, count, sizeof objects[0]);
     frame.wishes.blending = blendings[scene->blending];
-    frame.wishes.interior = scene->interior == REF_INTERIOR_IMPLICIT ? TR_INTERIOR_IMPLICIT : TR_INTERIOR_IMPLICIT_PUBLISHED;
+    frame.wishes.interior = interiors[scene->interior];
     frame.opaque_weight = scene->opaque_weight > 0 ? (float)scene->opaque_weight : -1.0f;
     frame.background_weight = scene->background_weight > 0 ? (float)scene->background_weight : -1.0f;
     frame.flat_shading = !shaded;

@@ -50,7 +50,7 @@ typedef struct ref_object {
     bool cool_to_warm;         /* shade by normals */
 } ref_object;
 
-typedef enum { REF_INTERIOR_IMPLICIT, REF_INTERIOR_IMPLICIT_PUBLISHED } ref_interior;
+typedef enum { REF_INTERIOR_IMPLICIT, REF_INTERIOR_IMPLICIT_PUBLISHED, REF_INTERIOR_EXPLICIT } ref_interior;
 typedef enum { REF_BLEND_PUBLISHED, REF_BLEND_NORMALISED, REF_BLEND_OVER } ref_blending;
 
 typedef struct ref_scene {
@@ -534,6 +534,10 @@ static inline ref_i_decision ref_i_decide(const ref_i_world *world) {
         d.limit = ref_i_nearest(world, REF_I_BACK, NULL, 0);
         if (d.front && d.limit && !ref_i_nearer(d.front, d.limit))
             d.front = NULL;
+    } else if (world->scene->interior == REF_INTERIOR_EXPLICIT) {
+        /* D02 6.2: "only those opaque objects located between the closest and second-closest front-facing transparent
+         * surfaces are visible"; where there is no second one, its pipeline limits nothing. */
+        d.limit = d.front ? ref_i_nearest(world, REF_I_FRONT, d.front, 0) : NULL;
     } else if (d.front) {
         /* A back face limits only where a front face lies before it, and so does the next object's front face: every
          * hit of that kind is at or behind the front-most one. */
