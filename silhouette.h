@@ -1,0 +1,3012 @@
+/* silhouette.h - v0.1.0 - feature lines of triangle meshes, on the CPU - MIT licence (text at the end of the file)
+
+    Silhouettes, creases, boundaries and non-manifold edges of a triangle mesh for a given eye; chains of them; screen
+    space ribbons with width, joins and caps; the distance of every vertex to the nearest of them. One header, no GL,
+    no dependency but the C library's memory, string and mathematics functions.
+
+    DOES
+      - find silhouettes without gaps: every face is classified once, exactly, and an edge is a silhouette if and only
+        if its faces differ, so that the silhouettes of a mesh whose edges have two faces are closed loops in every
+        view;
+      - take meshes as they come: split vertices, faces given twice, faces without area, open borders, edges of three
+        and more faces, NaN, indices out of range. Each has a documented result (see DIRTY MESHES);
+      - give the same lines whatever the order of the faces and of the vertices within a face.
+
+    DOES NOT
+      - draw, or decide what is hidden: the lines are all of the mesh's, visible or not. Hidden ones are for a depth
+        test (see `slack` of sil_ribbon_vertex);
+      - mend meshes, or find the smooth contour that runs through the inside of faces;
+      - find lines where two faces pass through each other.
+
+    QUICK START
+
+    --8<-- quick start
+    #define SILHOUETTE_IMPLEMENTATION
+    #include "silhouette.h"
+    #include <stdio.h>
+    #include <string.h>
+
+    int main(void)
+    {
+        // A tetrahedron. Faces are counter-clockwise seen from outside.
+        const float positions[12] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+        const uint32_t indices[12] = {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
+        const double eye[3] = {3, 2, 5};
+        sil_mesh_desc desc;
+        sil_result result;
+        sil_mesh *mesh;
+        sil_view view;
+        sil_edge edges[6];
+        size_t count, i;
+
+        memset(&desc, 0, sizeof desc);
+        desc.positions = positions;
+        desc.vertex_count = 4;
+        desc.indices = indices;
+        desc.index_count = 12;
+        mesh = sil_mesh_create(&desc, &result);
+        if (!mesh) {
+            printf("%s\n", sil_result_string(result));
+            return 1;
+        }
+        view = sil_view_perspective(eye);
+        count = sil_extract(mesh, NULL, &view, SIL_SILHOUETTE, edges, 6);
+        for (i = 0; i < count; ++i)
+            printf("silhouette from vertex %u to vertex %u\n", (unsigned)edges[i].a, (unsigned)edges[i].b);
+        sil_mesh_destroy(mesh);
+        return count == 3 ? 0 : 1;
+    }
+    -->8--
+
+    HOW TO BUILD
+      In one source file of the program write `#define SILHOUETTE_IMPLEMENTATION` before including this header; include
+      it without the define elsewhere. C99 and later, C++11 and later. Link with -lm where there is such a library.
+
+    OPTIONS (macros)
+      SILHOUETTE_IMPLEMENTATION   in one file: the code as well as the declarations
+      SIL_STATIC                  in that one file: every function is static
+      SIL_MALLOC(n), SIL_FREE(p)  in that one file, both or neither: the memory functions used where a desc has no
+                                  allocator. Default: malloc and free of the C library
+      SIL_ASSERT(x)               in that one file: checks of the header's own invariants. Default: nothing
+
+    CONVENTIONS
+      - Matrices are column-major float[16] (model: float[9]) as GL takes them. Eye space is GL's: the camera looks down
+        the negative z axis. Faces are counter-clockwise seen from their front.
+      - A desc of all zero bytes asks for the defaults. Set every desc to zero first.
+      - A function that fills an array returns the number of elements that it has or would have, as snprintf does, and
+        writes no more than the capacity. With a NULL array it only counts.
+      - Vertices are named by the caller's indices. Where several were welded into one it is the smallest of them.
+
+    ERRORS, MEMORY, THREADS
+      - Functions that can fail say so by a sil_result. sil_mesh_create gives NULL and the reason; messages in words go
+        to desc.log_fn, which is called only while a mesh is being made.
+      - Memory comes from desc.allocator. sil_mesh_create and sil_pose_create allocate. sil_pose_set does so the first
+        time. sil_chain needs scratch memory: with a pose it is kept there and only ever grows; sil_pose_reserve makes
+        it large enough at once. So a steady frame allocates nothing. sil_chain without a pose allocates and frees in
+        the call. All other functions never allocate.
+      - No global variables. A mesh never changes once made: any number of threads may use it at once. A pose holds what
+        changes; use one pose by one thread at a time. sil_distances only reads the pose, so several threads may share
+        one in calls of it, each with its own range of vertices.
+
+    THE EYE
+      The eye is homogeneous and in the coordinates of the mesh: a point with w = 1, or a direction toward the eye with
+      w = 0 (orthographic). A face with corners a, b, c is in front if and only if det[b - a, c - a, eye - w * a] > 0.
+      Zero, that is a face seen edge-on, counts as back. The sign is that of exact arithmetic for every finite input,
+      and for every order of the corners, and does not depend on compiler flags. Before that the eye is rounded once for
+      all faces: scaled to 1 <= w < 2 (a direction: largest coordinate in [1, 2)), bits below 2^-200 are cut off; an eye
+      2^130 or more away is brought back to there along its direction. An eye that is NaN, infinite or zero sees only
+      backs. w < 0 is the same point as its negation.
+
+    DIRTY MESHES
+      - Split vertices are welded by position (weld_distance = 0, the default: same x, y, z; -0 is 0), by distance
+        (weld_distance > 0: vertices are taken in order, each joins the first earlier kept one within that distance),
+        or not (weld_distance < 0).
+      - Faces with an index out of range or a vertex that is NaN or infinite are left out: dropped_face_count.
+      - Faces with two corners the same after welding are left out: degenerate_face_count. Their neighbours then meet.
+      - Faces whose corners lie exactly on a line: counted there too, but kept. Such a face is as the neighbour across
+        its longest edge is (on through further such faces; if those go in a circle, as the closest other neighbour), so
+        it adds no line to that neighbour. One that has no proper face around it draws no line at all.
+      - Faces with the same three corners count as one: duplicate_face_count tells how many were left out. Where both
+        windings occur (a sheet modelled from both sides) the face is two-sided: its winding is chosen to agree with its
+        neighbours, so that the sheet has silhouettes where it turns away and boundary lines where it ends; its creases
+        are lines seen from either side.
+      - Neighbours are assumed to be consistently wound. A pair that is not counts in flipped_edge_count, and the rule
+        above is applied as the windings stand: the edge between is a silhouette when both sides can be seen.
+      - An edge of three or more faces is SIL_NONMANIFOLD, and SIL_SILHOUETTE as well when one of its faces is
+        front and another back. Nothing depends on the order of the faces.
+      - An edge of one face is SIL_BOUNDARY, in every view.
+      - A mesh without any face is fine, and has no lines. An index_count that is no multiple of 3 is an error.
+
+    RECIPES
+      - All lines of a drawing: kinds SIL_SILHOUETTE | SIL_BOUNDARY | SIL_CREASE, then sil_chain, then sil_ribbons.
+      - Lines hidden by the surface they lie on: draw ribbons with the depth test at depth minus one to two times slack.
+      - Transparency that depends on the view (Diepstraten 2002, equation 2): alpha = 1 - pow(distance /
+        sil_max_distance, k).
+      - An animated character: one sil_pose an instance; sil_pose_set after skinning.
+      - Dashes: discard where fmod(arc, period) > on. Arc is counted in pixels along a strip.
+
+    LIMITS AND PRECISION
+      - At most 2^32 - 2 vertices and 2^28 - 1 triangles.
+      - Positions are float. Only lines' places on the screen, distances and dihedral angles are rounded, not the
+        decision which edges are lines.
+      - Crease angles are those of the rest positions, in a pose as well, and so are the faces without area.
+      - In a pose, faces with a vertex that is not finite are back faces, and edges that end there are left out.
+*/
+#ifndef SILHOUETTE_H
+#define SILHOUETTE_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#define SIL_VERSION "0.1.0"
+#define SIL_VERSION_NUMBER 100 /* major * 10000 + minor * 100 + patch */
+
+#ifndef SIL_DEF
+#ifndef SIL_STATIC
+#define SIL_DEF extern
+#elif defined(__GNUC__) || defined(__TINYC__)
+#define SIL_DEF static __attribute__((unused))
+#else
+#define SIL_DEF static
+#endif
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* What functions return and what messages are about: name, text. The last two are messages only, never returned. */
+#define SIL_RESULTS(X)                                                                                                 \
+    X(SIL_OK, "no error")                                                                                              \
+    X(SIL_INVALID_ARGUMENT, "an argument is missing, not finite or out of its range")                                  \
+    X(SIL_INCOMPLETE_TRIANGLE, "the number of indices is not a multiple of three")                                     \
+    X(SIL_TOO_LARGE, "more vertices or triangles than 32-bit indices or the address space can hold")                   \
+    X(SIL_OUT_OF_MEMORY, "the allocator returned NULL")                                                                \
+    X(SIL_DROPPED_FACES, "faces with a vertex that is not finite or an index out of range were left out")              \
+    X(SIL_FLIPPED_EDGES, "neighbouring faces are wound in opposite senses; lines between them may be wrong")
+
+typedef enum sil_result {
+#define SIL_I_ENUMERATOR(name, text) name,
+    SIL_RESULTS(SIL_I_ENUMERATOR)
+#undef SIL_I_ENUMERATOR
+        SIL_RESULT_COUNT
+} sil_result;
+
+/* The text of a result in English; never NULL. */
+SIL_DEF const char *sil_result_string(sil_result result);
+
+/* "No such index", in every field that is a 32-bit index. */
+#define SIL_NONE 0xffffffffu
+
+/* Kinds of lines, as bits: which are asked for, which an edge is. */
+enum {
+    SIL_SILHOUETTE = 1, /* between a front face and a back face */
+    SIL_BOUNDARY = 2,   /* edge of one face */
+    SIL_CREASE = 4,     /* dihedral angle above crease_degrees; in a view: both faces in front, no silhouette */
+    SIL_NONMANIFOLD = 8 /* edge of three or more faces */
+};
+
+enum { SIL_LOG_ERROR = 1, SIL_LOG_WARNING = 2 }; /* level of a message */
+typedef void (*sil_log_fn)(int level, int code, const char *text, void *user);
+
+/* Both functions or neither. alloc_fn returns memory aligned for any type, or NULL. */
+typedef struct sil_allocator {
+    void *(*alloc_fn)(size_t size, void *user);
+    void (*free_fn)(void *memory, void *user);
+    void *user;
+} sil_allocator;
+
+typedef struct sil_mesh_desc {
+    const float *positions; /* x, y, z of each vertex; copied */
+    size_t position_stride; /* bytes from one vertex to the next; 0: 12, tightly packed */
+    size_t vertex_count;
+    const uint32_t *indices; /* three a triangle; NULL (with index_count 0): vertices 0 1 2, 3 4 5, ... are triangles */
+    size_t index_count;
+    float weld_distance;  /* 0: weld equal positions; > 0: weld within that distance; < 0: do not weld */
+    float crease_degrees; /* 0: 30. Dihedral angle above which an edge is a crease; < 0: every edge that is not flat */
+    sil_allocator allocator;
+    sil_log_fn log_fn; /* NULL: no messages */
+    void *log_user;
+} sil_mesh_desc;
+
+typedef struct sil_mesh_info {
+    size_t vertex_count;           /* as given */
+    size_t unique_vertex_count;    /* after welding, unreferenced ones included */
+    size_t face_count;             /* kept */
+    size_t edge_count;             /* edges of kept faces; sil_edge.edge is below this */
+    size_t boundary_edge_count;    /* edges of one face */
+    size_t nonmanifold_edge_count; /* edges of three or more faces */
+    size_t crease_edge_count;      /* edges of two faces with a dihedral angle above crease_degrees */
+    size_t degenerate_face_count;  /* faces without area: those left out and those kept */
+    size_t duplicate_face_count;   /* faces left out because another has the same corners */
+    size_t two_sided_face_count;   /* kept faces that were given in both windings */
+    size_t flipped_edge_count;     /* edges of two faces that are wound in opposite senses */
+    size_t dropped_face_count;     /* faces left out because of an index out of range or a vertex that is not finite */
+    size_t component_count;        /* sets of faces connected by edges */
+    size_t bytes;                  /* memory held by the mesh */
+    int closed;                    /* 1: there are faces, and every edge has an even number of them */
+} sil_mesh_info;
+
+typedef struct sil_mesh sil_mesh;
+typedef struct sil_pose sil_pose;
+
+/* Topology and rest positions, from arrays that are not needed afterwards. NULL on error, with the reason in *result
+   (which may be NULL): SIL_INVALID_ARGUMENT, SIL_INCOMPLETE_TRIANGLE, SIL_TOO_LARGE, SIL_OUT_OF_MEMORY. */
+SIL_DEF sil_mesh *sil_mesh_create(const sil_mesh_desc *desc, sil_result *result);
+SIL_DEF void sil_mesh_destroy(sil_mesh *mesh); /* NULL is fine; no pose of it may be in use any more */
+SIL_DEF sil_mesh_info sil_mesh_get_info(const sil_mesh *mesh);
+
+/* What changes: posed positions, the faces' signs of the last view, scratch memory. Starts in the rest positions. */
+SIL_DEF sil_pose *sil_pose_create(const sil_mesh *mesh, sil_result *result);
+SIL_DEF void sil_pose_destroy(sil_pose *pose); /* before its mesh; NULL is fine */
+/* New positions, one for each of the mesh's vertices (stride in bytes, 0: 12); copied. Welded vertices follow the one
+   with the smallest index. NULL: back to the rest positions. SIL_INVALID_ARGUMENT, SIL_OUT_OF_MEMORY (nothing changed).
+   */
+SIL_DEF sil_result sil_pose_set(sil_pose *pose, const float *positions, size_t stride);
+/* Makes room for sil_chain with so many edges, so that it allocates nothing later. */
+SIL_DEF sil_result sil_pose_reserve(sil_pose *pose, size_t edge_count);
+
+/* The eye in the mesh's own coordinates: {x, y, z, 1} a point, {x, y, z, 0} a direction from the mesh toward the eye. */
+typedef struct sil_view {
+    double eye[4];
+} sil_view;
+
+SIL_DEF sil_view sil_view_perspective(const double eye[3]);
+SIL_DEF sil_view sil_view_orthographic(const double toward_eye[3]);
+/* From the matrices a scene is drawn with, for any invertible affine model_view (scaled, sheared, mirrored) and any
+   projection whose eye space looks down -z. In a mirrored model_view GL's sense of front faces is swapped; ours is not:
+   it is that of the mesh. SIL_INVALID_ARGUMENT: a matrix is singular or not finite; *view then sees only backs. */
+SIL_DEF sil_result sil_view_from_matrices(const float model_view[16], const float projection[16], sil_view *view);
+
+typedef struct sil_edge {
+    uint32_t a, b;    /* the caller's vertices; where a face is in front, a front face is on the left of a -> b */
+    uint32_t face[2]; /* the caller's triangles (index / 3): face[0] on the left; face[1] may be SIL_NONE. Of an edge of
+                         three or more faces: a front one and a back one where there are both, else the first two */
+    uint32_t edge;    /* index of the edge, below edge_count; the same in every view and for every order of the faces */
+    uint32_t kinds;   /* all that this edge is in this view, asked for or not */
+} sil_edge;
+
+/* The edges that are of one of the kinds asked for, by rising `edge`. pose: NULL for the rest positions (needs no memory,
+   and is slower). view: NULL for what does not depend on the eye: boundaries, non-manifold edges and all creases. */
+SIL_DEF size_t sil_extract(const sil_mesh *mesh, sil_pose *pose, const sil_view *view, unsigned kinds, sil_edge *edges,
+                           size_t capacity);
+
+typedef struct sil_strip {
+    uint32_t first, count; /* range in the vertex array; a closed strip repeats its first vertex at the end */
+    uint32_t id;           /* smallest `edge` in it: the same while that edge remains in it */
+    uint32_t kinds;        /* of all its edges */
+    uint32_t closed;       /* 1: a loop */
+} sil_strip;
+
+/* Edges to strips. At a vertex a silhouette goes on where the front faces around it end: one successor, and loops do not
+   cross. Other lines, and silhouettes where that way is barred, go on where exactly two ends of the same kinds meet.
+   Every edge is in one strip; edges given twice count once; edges that are not of this mesh are left out. The result,
+   strips by rising id, does not depend on the order of the edges. Silhouettes have front faces on their left.
+   Returns the number of strips; *vertices_needed (may be NULL) is the number of vertices. Vertices past
+   vertex_capacity are not written: when *vertices_needed is larger, the strips' ranges go past the array.
+   0 with *vertices_needed = SIZE_MAX: out of memory. */
+SIL_DEF size_t sil_chain(const sil_mesh *mesh, sil_pose *pose, const sil_edge *edges, size_t edge_count,
+                         sil_strip *strips, size_t strip_capacity, uint32_t *vertices, size_t vertex_capacity,
+                         size_t *vertices_needed);
+
+enum { SIL_DISTANCE_INFINITE_LINE = 1 }; /* to the endless line through each edge (Diepstraten 2002), not to the edge */
+
+typedef struct sil_distance_desc {
+    float model[9]; /* mesh to world, column-major: distances are in world units. All zero: the identity */
+    unsigned flags;
+} sil_distance_desc;
+
+/* Distance of vertices first_vertex .. first_vertex + vertex_count - 1 (the caller's) to the nearest of a set of edges,
+   and that edge's index in `edges` (nearest may be NULL). Equal distances: the one with the smallest `edge`. No edges:
+   +infinity and SIL_NONE; the same for a vertex that is not finite. Unreferenced vertices have distances like others.
+   Welded vertices have that of the one with the smallest index. An edge of no length is a point. A singular matrix
+   gives distances in the flattened space. Errors are below 1e-6 of the mesh's size in the world. SIL_INVALID_ARGUMENT:
+   NULL, a range out of bounds, a matrix that is not finite. */
+SIL_DEF sil_result sil_distances(const sil_mesh *mesh, const sil_pose *pose, const sil_edge *edges, size_t edge_count,
+                                 const sil_distance_desc *desc, size_t first_vertex, size_t vertex_count,
+                                 float *distances, uint32_t *nearest);
+
+/* Largest distance between the centre of the mesh and its vertices, in world units: d_object,max of Diepstraten 2002,
+   equation 2. The centre is that of the bounding box, along the mesh's axes, of the vertices of the kept faces.
+   model: as above; NULL for the identity. 0 for a mesh without faces. */
+SIL_DEF float sil_max_distance(const sil_mesh *mesh, const sil_pose *pose, const float model[9]);
+
+typedef struct sil_ribbon_vertex {
+    float x, y;               /* pixels from the viewport's lower left corner */
+    float depth;              /* window depth in [0,1] */
+    float slack;              /* change of window depth per motion of one pixel's size toward the eye here, >= 0 */
+    float center_x, center_y; /* the point of the centre line that this vertex belongs to, pixels */
+    float arc;                /* pixels along the strip; starts again from 0 every 2^20 pixels, between two segments */
+    uint32_t kinds;           /* of the strip */
+} sil_ribbon_vertex;
+
+typedef enum sil_cap { SIL_CAP_ROUND = 0, SIL_CAP_BUTT, SIL_CAP_SQUARE } sil_cap;     /* ends of a strip */
+typedef enum sil_join { SIL_JOIN_ROUND = 0, SIL_JOIN_BEVEL, SIL_JOIN_NONE } sil_join; /* between two segments */
+
+enum { SIL_RIBBON_ZERO_TO_ONE = 1 }; /* clip space has 0 <= z <= w, as after glClipControl; default: -w <= z <= w */
+
+typedef struct sil_ribbon_desc {
+    float model_view[16], projection[16]; /* reversed depth and infinite far planes are fine */
+    float viewport_width, viewport_height;
+    float width;          /* pixels; 0: 1.5; at most 4096 */
+    float width_scale[4]; /* times this for silhouettes, boundaries, creases, non-manifold edges; 0: 1. A line of
+                             several kinds has that of the first */
+    float tolerance;      /* pixels that round caps and joins may lie inside the true circle; 0: 0.1 */
+    sil_cap cap;
+    sil_join join;
+    unsigned flags;
+} sil_ribbon_desc;
+
+/* Strips to triangles, three vertices each, in the mesh's rest or posed positions. Triangles of one line overlap at joins
+   (draw them opaque, or once each by stencil) but leave no gap. Lines are clipped to the depth range, and to the
+   viewport widened by the line's width: a cut outside the viewport has a cap where it cannot be seen. Neither order nor
+   winding of the triangles means anything. vertices: the array that the strips were made into. Ranges, vertices and
+   matrices that make no sense draw nothing. Whole triangles are written while there is room. */
+SIL_DEF size_t sil_ribbons(const sil_mesh *mesh, const sil_pose *pose, const sil_strip *strips, size_t strip_count,
+                           const uint32_t *vertices, const sil_ribbon_desc *desc, sil_ribbon_vertex *out,
+                           size_t capacity);
+
+#ifdef __cplusplus
+}
+#endif
+#endif /* SILHOUETTE_H */
+
+#ifdef SILHOUETTE_IMPLEMENTATION
+#ifndef SILHOUETTE_IMPLEMENTATION_ONCE
+#define SILHOUETTE_IMPLEMENTATION_ONCE
+
+#include <math.h>
+#include <string.h>
+
+#if defined(SIL_MALLOC) != defined(SIL_FREE)
+#error "silhouette.h: define both SIL_MALLOC and SIL_FREE or neither"
+#endif
+#ifndef SIL_MALLOC
+#include <stdlib.h>
+#define SIL_MALLOC(size) malloc(size)
+#define SIL_FREE(memory) free(memory)
+#endif
+#ifndef SIL_ASSERT
+#define SIL_ASSERT(condition) ((void)0)
+#endif
+
+#define SIL_I_BLOCK 64u    /* faces or edges handled at a time; arrays of them are padded to a multiple of it */
+#define SIL_I_MANY 16u     /* in edge_kinds: the edge has more than two faces, listed in many_* */
+#define SIL_I_TWO_SIDED 1u /* in face_flags */
+#define SIL_I_NO_AREA 2u   /* in face_flags: corners exactly on a line */
+#define SIL_I_PI 3.14159265358979323846
+
+/* Positions and what follows from them: one in the mesh (rest), one in a pose that was set. */
+typedef struct sil_i_shape {
+    float *position;    /* x y z of each welded vertex; zero where it is not finite */
+    unsigned char *bad; /* 1: not finite */
+    float *plane[4];    /* unit normal and offset of each face, about the centre and divided by scale; all 0: unknown */
+    double low[3], high[3];  /* box of the vertices that faces have */
+    double center[3], scale; /* |position - center| <= scale on each axis; scale is a power of two */
+    size_t bad_count;
+} sil_i_shape;
+
+struct sil_mesh {
+    sil_allocator allocator;
+    sil_mesh_info info;
+    size_t vertex_count, unique_count, face_count, edge_count;
+    uint32_t *welded;          /* the caller's vertex -> welded vertex */
+    uint32_t *origin;          /* welded vertex -> smallest of the caller's */
+    unsigned char *referenced; /* welded vertices: 1 where a kept face has it */
+    uint32_t *corner;          /* three welded vertices a face */
+    uint32_t *source;          /* face -> the caller's triangle */
+    unsigned char *face_flags;
+    uint32_t *face_edge;    /* three a face: edge from corner i to corner i + 1 */
+    uint32_t *edge_vertex;  /* two welded vertices an edge, the smaller first */
+    uint32_t *edge_face[2]; /* the edge's first two faces; the same one twice where it has one */
+    unsigned char *edge_kinds;
+    uint32_t *flat_face,
+        *flat_root; /* faces with SIL_I_NO_AREA, rising, and the face whose sign each takes, or SIL_NONE */
+    size_t flat_count;
+    uint32_t *many_edge, *many_first, *many_face; /* edges with SIL_I_MANY, rising, and their faces */
+    size_t many_count;
+    sil_i_shape rest;
+};
+
+struct sil_pose {
+    const sil_mesh *mesh;
+    unsigned char *front; /* of each face in the last view: 1 in front */
+    int is_set;
+    sil_i_shape shape; /* allocated by the first sil_pose_set */
+    void *scratch;
+    size_t scratch_size;
+};
+
+SIL_DEF const char *sil_result_string(sil_result result) {
+    switch (result) {
+#define SIL_I_CASE(name, text)                                                                                         \
+    case name:                                                                                                         \
+        return text;
+        SIL_RESULTS(SIL_I_CASE)
+#undef SIL_I_CASE
+    case SIL_RESULT_COUNT:
+        break;
+    }
+    return "not a sil_result";
+}
+
+/* ---- memory ---- */
+
+/* An allocator, what was taken from it, and whether it ever failed: a row of allocations is checked once. */
+typedef struct sil_i_heap {
+    sil_allocator allocator;
+    size_t bytes;
+    int failed;
+} sil_i_heap;
+
+static void *sil_i_default_alloc(size_t size, void *user) {
+    (void)user;
+    return SIL_MALLOC(size);
+}
+
+static void sil_i_default_free(void *memory, void *user) {
+    (void)user;
+    SIL_FREE(memory);
+}
+
+static void *sil_i_take(sil_i_heap *heap, size_t count, size_t size) {
+    void *memory;
+    if (heap->failed || (size != 0 && count > ((size_t)-1) / size)) {
+        heap->failed = 1;
+        return NULL;
+    }
+    size *= count;
+    if (size == 0)
+        size = 1;
+    memory = heap->allocator.alloc_fn(size, heap->allocator.user);
+    if (memory)
+        heap->bytes += size;
+    else
+        heap->failed = 1;
+    return memory;
+}
+
+static uint32_t *sil_i_take_words(sil_i_heap *heap, size_t count) {
+    return (uint32_t *)sil_i_take(heap, count, sizeof(uint32_t));
+}
+
+static unsigned char *sil_i_take_bytes(sil_i_heap *heap, size_t count) {
+    unsigned char *bytes = (unsigned char *)sil_i_take(heap, count, 1);
+    if (bytes)
+        memset(bytes, 0, count);
+    return bytes;
+}
+
+static void sil_i_give(const sil_allocator *allocator, void *memory) {
+    if (memory)
+        allocator->free_fn(memory, allocator->user);
+}
+
+static size_t sil_i_padded(size_t count) {
+    return (count + SIL_I_BLOCK - 1) / SIL_I_BLOCK * SIL_I_BLOCK;
+}
+
+/* ---- numbers as bits: what compiler flags cannot change ---- */
+
+static uint32_t sil_i_float_bits(float value) {
+    uint32_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    return bits;
+}
+
+static int sil_i_finite(float value) {
+    return (sil_i_float_bits(value) & 0x7f800000u) != 0x7f800000u;
+}
+
+static int sil_i_all_finite(const float *values, int count) {
+    int i;
+    for (i = 0; i < count; ++i)
+        if (!sil_i_finite(values[i]))
+            return 0;
+    return 1;
+}
+
+static float sil_i_infinity(void) {
+    const uint32_t bits = 0x7f800000u;
+    float value;
+    memcpy(&value, &bits, sizeof value);
+    return value;
+}
+
+static double sil_i_abs(double value) {
+    return value < 0 ? -value : value;
+}
+
+static double sil_i_larger(double a, double b) {
+    return a > b ? a : b;
+}
+
+/* A number as sign * mantissa * 2^exponent. */
+typedef struct sil_i_number {
+    uint64_t mantissa;
+    int exponent;
+    int negative;
+} sil_i_number;
+
+static sil_i_number sil_i_from_float(float value) {
+    const uint32_t bits = sil_i_float_bits(value);
+    const int exponent = (int)(bits >> 23 & 0xffu);
+    sil_i_number number;
+    number.negative = (int)(bits >> 31);
+    number.mantissa = (bits & 0x7fffffu) | (exponent ? 0x800000u : 0u);
+    number.exponent = (exponent ? exponent : 1) - 150;
+    return number;
+}
+
+/* Without trailing zeros, so that simple numbers have short mantissas. *finite is cleared where the value is not. */
+static sil_i_number sil_i_from_double(double value, int *finite) {
+    sil_i_number number;
+    uint64_t bits;
+    int exponent;
+    memcpy(&bits, &value, sizeof bits);
+    exponent = (int)(bits >> 52 & 0x7ffu);
+    if (exponent == 0x7ff)
+        *finite = 0;
+    number.negative = (int)(bits >> 63);
+    number.mantissa = bits & (((uint64_t)1 << 52) - 1);
+    if (exponent)
+        number.mantissa |= (uint64_t)1 << 52;
+    number.exponent = (exponent ? exponent : 1) - 1075;
+    while (number.mantissa && !(number.mantissa & 1)) {
+        number.mantissa >>= 1;
+        ++number.exponent;
+    }
+    return number;
+}
+
+static int sil_i_bit_length(uint64_t value) {
+    int length = 0;
+    while (value) {
+        value >>= 1;
+        ++length;
+    }
+    return length;
+}
+
+/* ---- the exact sign of a face ---- */
+
+/* A sum of products as a fixed-point integer of 40 limbs of 32 bits, each held in 64 so that carries wait until the end.
+   The lowest bit stands for 2^-672: below the least product, 2^-200 (eye) * 2^-149 * 2^-149 * 2^-149 = 2^-647. The
+   greatest, 2^130 * 2^128 * 2^128 times 18 terms and 2 * 2^384 times 6, stay below 2^394; limb 40 begins at 2^608. */
+#define SIL_I_LIMBS 40
+#define SIL_I_LOWEST (-672)
+
+typedef struct sil_i_sum {
+    int64_t limb[SIL_I_LIMBS];
+} sil_i_sum;
+
+/* sum += f0 * f1 * ... * 2^exponent, or -= . At most four factors. */
+static void sil_i_sum_add(sil_i_sum *sum, const uint32_t *factors, int count, int exponent, int negative) {
+    uint32_t product[5] = {1, 0, 0, 0, 0};
+    const int bit = exponent - SIL_I_LOWEST;
+    int i, j, at = bit / 32, shift = bit % 32;
+    SIL_ASSERT(bit >= 0 && at + 6 < SIL_I_LIMBS && count <= 4);
+    for (i = 0; i < count; ++i) {
+        uint64_t carry = 0;
+        for (j = 0; j <= i; ++j) {
+            carry += (uint64_t)product[j] * factors[i];
+            product[j] = (uint32_t)(carry & 0xffffffffu);
+            carry >>= 32;
+        }
+        product[j] = (uint32_t)carry;
+    }
+    for (j = 0; j <= count; ++j) {
+        const uint64_t shifted = (uint64_t)product[j] << shift;
+        const int64_t low = (int64_t)(shifted & 0xffffffffu), high = (int64_t)(shifted >> 32);
+        sum->limb[at + j] += negative ? -low : low;
+        sum->limb[at + j + 1] += negative ? -high : high;
+    }
+}
+
+static int sil_i_sum_sign(const sil_i_sum *sum) {
+    int64_t carry = 0;
+    int i, nonzero = 0;
+    for (i = 0; i < SIL_I_LIMBS; ++i) {
+        const int64_t value = sum->limb[i] + carry;
+        const int64_t low = (int64_t)((uint64_t)value & 0xffffffffu);
+        nonzero |= low != 0;
+        carry = (value - low) / 4294967296; /* exact: rounds down for negative values too */
+    }
+    return carry < 0 ? -1 : nonzero || carry > 0;
+}
+
+/* The eye as all faces see it: rounded once, as numbers of three sorts that are one and the same value, apart from
+   plane, which is the eye for the float planes of a shape: relative to its centre and scale. */
+typedef struct sil_i_eye {
+    double e[4];
+    sil_i_number number[4];
+    float plane[4];
+    float limit; /* a face is decided by its float plane where that is further than this from 0 */
+    int valid;
+} sil_i_eye;
+
+/* sum += p * q * t[2] * t[...], t an eye coordinate of up to 53 bits in two factors. */
+static void sil_i_sum_term(sil_i_sum *sum, const sil_i_number *p, const sil_i_number *q, const sil_i_number *r,
+                           const sil_i_number *t, int negative) {
+    uint32_t factors[4];
+    int count = 2, exponent = p->exponent + q->exponent + t->exponent;
+    const uint32_t high = (uint32_t)(t->mantissa >> 32);
+    if (!p->mantissa || !q->mantissa || !t->mantissa || (r && !r->mantissa))
+        return;
+    negative ^= p->negative ^ q->negative ^ t->negative;
+    factors[0] = (uint32_t)p->mantissa;
+    factors[1] = (uint32_t)q->mantissa;
+    if (r) {
+        factors[count++] = (uint32_t)r->mantissa;
+        exponent += r->exponent;
+        negative ^= r->negative;
+    }
+    factors[count++] = (uint32_t)(t->mantissa & 0xffffffffu);
+    sil_i_sum_add(sum, factors, count, exponent, negative);
+    if (high) {
+        factors[count - 1] = high;
+        sil_i_sum_add(sum, factors, count, exponent + 32, negative);
+    }
+}
+
+/* The sign of det[b-a, c-a, e-w*a] over the input itself, where no difference was rounded:
+   e . (a x b + b x c + c x a) - w * det[a, b, c]. Exact, so rotating the corners changes nothing and reversing them
+   negates it. */
+static int sil_i_exact_sign(const float *a, const float *b, const float *c, const sil_i_eye *eye) {
+    sil_i_number p[3][3];
+    sil_i_sum sum;
+    int i, k;
+    for (k = 0; k < 3; ++k) {
+        p[0][k] = sil_i_from_float(a[k]);
+        p[1][k] = sil_i_from_float(b[k]);
+        p[2][k] = sil_i_from_float(c[k]);
+    }
+    memset(&sum, 0, sizeof sum);
+    for (k = 0; k < 3; ++k) {
+        const int k1 = (k + 1) % 3, k2 = (k + 2) % 3;
+        if (eye->number[k].mantissa)
+            for (i = 0; i < 3; ++i) {
+                const int j = (i + 1) % 3;
+                sil_i_sum_term(&sum, &p[i][k1], &p[j][k2], NULL, &eye->number[k], 0);
+                sil_i_sum_term(&sum, &p[i][k2], &p[j][k1], NULL, &eye->number[k], 1);
+            }
+        sil_i_sum_term(&sum, &p[0][k], &p[1][k1], &p[2][k2], &eye->number[3], 1);
+        sil_i_sum_term(&sum, &p[0][k], &p[1][k2], &p[2][k1], &eye->number[3], 0);
+    }
+    return sil_i_sum_sign(&sum);
+}
+
+/* Are three points on a line: is each coordinate of the face's normal exactly zero? */
+static int sil_i_collinear(const float *a, const float *b, const float *c) {
+    sil_i_eye axis;
+    int k;
+    for (k = 0; k < 3; ++k) {
+        memset(&axis, 0, sizeof axis);
+        axis.number[k].mantissa = 1;
+        if (sil_i_exact_sign(a, b, c, &axis) != 0)
+            return 0;
+    }
+    return 1;
+}
+
+/* The same sign in double, or 0 where rounding might have changed it. With unit roundoff u = 2^-53: each difference of
+   two floats has relative error u, a product of two of them 3u, the difference of two products 4u of the sum of their
+   magnitudes; g = e - w*a has 2u of |e| + |w*a|; product and sums add 4u. In all at most 10u plus terms in u^2 of
+   `size`, and 16u are allowed, since `size` is itself rounded; fused operations only round less. 2^-70 makes up for
+   machines that take subnormal floats for zero: that is off by 2^-125 at most, and 2^-70 * 16u = 2^-119. */
+static int sil_i_filtered_sign(const float *a, const float *b, const float *c, const sil_i_eye *eye) {
+    double u[3], v[3], g[3], su[3], sv[3], sg[3], det, size, limit;
+    const double tiny = 8.470329472543003e-22; /* 2^-70 */
+    int k;
+    for (k = 0; k < 3; ++k) {
+        u[k] = (double)b[k] - (double)a[k];
+        v[k] = (double)c[k] - (double)a[k];
+        g[k] = eye->e[k] - eye->e[3] * (double)a[k];
+        su[k] = sil_i_abs(u[k]) + tiny;
+        sv[k] = sil_i_abs(v[k]) + tiny;
+        sg[k] = sil_i_abs(eye->e[k]) + sil_i_abs(eye->e[3]) * (sil_i_abs((double)a[k]) + tiny);
+    }
+    det = (u[1] * v[2] - u[2] * v[1]) * g[0] + (u[2] * v[0] - u[0] * v[2]) * g[1] + (u[0] * v[1] - u[1] * v[0]) * g[2];
+    size = (su[1] * sv[2] + su[2] * sv[1]) * sg[0] + (su[2] * sv[0] + su[0] * sv[2]) * sg[1] +
+           (su[0] * sv[1] + su[1] * sv[0]) * sg[2];
+    limit = size * 1.7763568394002505e-15; /* 16 * 2^-53 */
+    return det > limit ? 1 : det < -limit ? -1 : 0;
+}
+
+static int sil_i_same(float a, float b) {
+    const uint32_t x = sil_i_float_bits(a), y = sil_i_float_bits(b);
+    return x == y || ((x | y) & 0x7fffffffu) == 0;
+}
+
+/* Is the eye's coordinate exactly that of a corner (or, for a direction, zero)? 0 also where that is hard to tell. */
+static int sil_i_eye_level(const sil_i_eye *eye, int k, float corner) {
+    const sil_i_number *e = &eye->number[k], *w = &eye->number[3];
+    sil_i_number a = sil_i_from_float(corner);
+    if (!w->mantissa || !a.mantissa)
+        return !e->mantissa;
+    if (w->mantissa != 1 || w->exponent != 0)
+        return 0;
+    while (!(a.mantissa & 1)) {
+        a.mantissa >>= 1;
+        ++a.exponent;
+    }
+    return a.mantissa == e->mantissa && a.exponent == e->exponent && a.negative == e->negative;
+}
+
+/* Is the sign zero for a reason that can be seen by comparing coordinates? Views along an axis of a box, a prism or a
+   cylinder, where a large part of the faces is edge-on, would spend their time in the exact sum. On each axis k either
+   the eye is level with the face, or the face's shadow along k is nothing: two corners fall together or all three are
+   level in another coordinate. */
+static int sil_i_plainly_zero(const float *a, const float *b, const float *c, const sil_i_eye *eye) {
+    int ab[3], ac[3], bc[3], k;
+    for (k = 0; k < 3; ++k) {
+        ab[k] = sil_i_same(a[k], b[k]);
+        ac[k] = sil_i_same(a[k], c[k]);
+        bc[k] = sil_i_same(b[k], c[k]);
+    }
+    for (k = 0; k < 3; ++k) {
+        const int i = (k + 1) % 3, j = (k + 2) % 3;
+        const int flat =
+            (ab[i] && ab[j]) || (ac[i] && ac[j]) || (bc[i] && bc[j]) || (ab[i] && ac[i]) || (ab[j] && ac[j]);
+        if (!flat && !sil_i_eye_level(eye, k, a[k]))
+            return 0;
+    }
+    return 1;
+}
+
+/* value * 2^power, for powers of any size; exact as long as the result is no subnormal. */
+static double sil_i_scaled(double value, int power) {
+    return ldexp(value, power);
+}
+
+/* Moves the eye's coordinates to a common scale and cuts off low bits, as THE EYE in the manual says. */
+static void sil_i_eye_round(sil_i_eye *eye) {
+    int i, top = -100000, shift, weight = 0;
+    for (i = 0; i < 3; ++i)
+        if (eye->number[i].mantissa) {
+            const int t = eye->number[i].exponent + sil_i_bit_length(eye->number[i].mantissa);
+            top = t > top ? t : top;
+        }
+    if (eye->number[3].mantissa) {
+        weight = eye->number[3].exponent + sil_i_bit_length(eye->number[3].mantissa);
+        shift = 1 - weight;
+        if (top + shift > 130)
+            shift = 130 - top;
+    } else
+        shift = 1 - top;
+    for (i = 0; i < 4; ++i) {
+        sil_i_number *n = &eye->number[i];
+        n->exponent += shift;
+        if (n->exponent < -200) {
+            const int cut = -200 - n->exponent;
+            n->mantissa = cut < 64 ? n->mantissa >> cut : 0;
+            n->exponent = -200;
+        }
+        if (!n->mantissa)
+            n->exponent = 0;
+        eye->e[i] = sil_i_scaled((double)n->mantissa, n->exponent);
+        if (n->negative)
+            eye->e[i] = -eye->e[i];
+    }
+}
+
+/* The eye for the float planes: t = n . e' - d * w' with e' = (e - w * center) / scale, all divided by the largest.
+   With v = 2^-24: unit normals are within v + 2^-25 of the truth a coordinate (see sil_i_face_plane), so are offsets,
+   of which |d| <= 3; e' and w' are rounded by v; the sum of four products by 4v. In all less than 8v of |e'x| + |e'y| +
+   |e'z| + 3 |w'|; 16v are allowed. The double subtractions of the centre, from the eye and from a corner, add 2u of |e|
+   + w |center| each; 2^-50 is allowed. */
+static void sil_i_eye_for_planes(sil_i_eye *eye, const sil_i_shape *shape) {
+    double e[4], largest = 0, size = 0, lost = 0;
+    int i;
+    for (i = 0; i < 3; ++i) {
+        e[i] = (eye->e[i] - eye->e[3] * shape->center[i]) / shape->scale;
+        lost += (sil_i_abs(eye->e[i]) + sil_i_abs(eye->e[3] * shape->center[i])) / shape->scale;
+    }
+    e[3] = eye->e[3];
+    for (i = 0; i < 4; ++i)
+        largest = sil_i_larger(largest, sil_i_abs(e[i]));
+    largest = sil_i_larger(largest, lost * 8.881784197001252e-16); /* nothing but rounding left: decides no face */
+    for (i = 0; i < 4; ++i) {
+        e[i] = largest > 0 ? e[i] / largest : 0;
+        size += (i < 3 ? 1 : 3) * sil_i_abs(e[i]);
+        eye->plane[i] = (float)e[i];
+    }
+    lost = largest > 0 ? lost / largest : 0;
+    eye->limit = (float)(size * 9.5367431640625e-7 + lost * 8.881784197001252e-16 + 1e-30);
+}
+
+static void sil_i_eye_make(sil_i_eye *eye, const sil_view *view, const sil_i_shape *shape) {
+    int i, finite = 1;
+    memset(eye, 0, sizeof *eye);
+    for (i = 0; i < 4; ++i)
+        eye->number[i] = sil_i_from_double(view->eye[i], &finite);
+    if (!finite ||
+        !(eye->number[0].mantissa | eye->number[1].mantissa | eye->number[2].mantissa | eye->number[3].mantissa))
+        return;
+    if (eye->number[3].mantissa && eye->number[3].negative)
+        for (i = 0; i < 4; ++i)
+            eye->number[i].negative ^= 1;
+    eye->valid = 1;
+    sil_i_eye_round(eye);
+    sil_i_eye_for_planes(eye, shape);
+}
+
+static uint32_t sil_i_root(const sil_mesh *mesh, uint32_t face) {
+    size_t low = 0, high = mesh->flat_count;
+    while (low < high) {
+        const size_t middle = low + (high - low) / 2;
+        if (mesh->flat_face[middle] < face)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    SIL_ASSERT(low < mesh->flat_count && mesh->flat_face[low] == face);
+    return mesh->flat_root[low];
+}
+
+/* Is the face in front, where its float plane does not tell? */
+static int sil_i_front_unsure(const sil_mesh *mesh, const sil_i_shape *shape, const sil_i_eye *eye, uint32_t face) {
+    const float *corner[3];
+    int i, sign;
+    if (!eye->valid)
+        return 0;
+    if (mesh->face_flags[face] & SIL_I_NO_AREA) {
+        face = sil_i_root(mesh, face);
+        if (face == SIL_NONE)
+            return 0;
+    }
+    for (i = 0; i < 3; ++i) {
+        const uint32_t vertex = mesh->corner[3 * (size_t)face + (size_t)i];
+        if (shape->bad_count && shape->bad[vertex])
+            return 0;
+        corner[i] = shape->position + 3 * (size_t)vertex;
+    }
+    sign = sil_i_filtered_sign(corner[0], corner[1], corner[2], eye);
+    if (!sign && !sil_i_plainly_zero(corner[0], corner[1], corner[2], eye))
+        sign = sil_i_exact_sign(corner[0], corner[1], corner[2], eye);
+    return sign > 0;
+}
+
+static int sil_i_front(const sil_mesh *mesh, const sil_i_shape *shape, const sil_i_eye *eye, uint32_t face) {
+    const float t = shape->plane[0][face] * eye->plane[0] + shape->plane[1][face] * eye->plane[1] +
+                    shape->plane[2][face] * eye->plane[2] - shape->plane[3][face] * eye->plane[3];
+    if (t > eye->limit)
+        return 1;
+    if (t < -eye->limit)
+        return 0;
+    return sil_i_front_unsure(mesh, shape, eye, face);
+}
+
+/* All faces, 64 at a time; loops of fixed length so that compilers make vector code of them. */
+static void sil_i_front_all(const sil_mesh *mesh, const sil_i_shape *shape, const sil_i_eye *eye,
+                            unsigned char *front) {
+    const float ex = eye->plane[0], ey = eye->plane[1], ez = eye->plane[2], ew = eye->plane[3], limit = eye->limit;
+    size_t first, i;
+    if (!eye->valid) {
+        memset(front, 0, sil_i_padded(mesh->face_count));
+        return;
+    }
+    for (first = 0; first < mesh->face_count; first += SIL_I_BLOCK) {
+        const float *nx = shape->plane[0] + first, *ny = shape->plane[1] + first;
+        const float *nz = shape->plane[2] + first, *d = shape->plane[3] + first;
+        float t[SIL_I_BLOCK];
+        int unsure = 0;
+        for (i = 0; i < SIL_I_BLOCK; ++i)
+            t[i] = nx[i] * ex + ny[i] * ey + nz[i] * ez - d[i] * ew;
+        for (i = 0; i < SIL_I_BLOCK; ++i)
+            unsure |= (t[i] <= limit) & (t[i] >= -limit);
+        for (i = 0; i < SIL_I_BLOCK; ++i)
+            front[first + i] = (unsigned char)(t[i] > limit);
+        if (unsure)
+            for (i = 0; i < SIL_I_BLOCK && first + i < mesh->face_count; ++i)
+                if (t[i] <= limit && t[i] >= -limit)
+                    front[first + i] = (unsigned char)sil_i_front_unsure(mesh, shape, eye, (uint32_t)(first + i));
+    }
+}
+
+/* ---- shapes: positions and planes ---- */
+
+static int sil_i_shape_take(sil_i_heap *heap, sil_i_shape *shape, size_t vertices, size_t faces) {
+    int k;
+    const size_t padded = sil_i_padded(faces);
+    shape->position = (float *)sil_i_take(heap, vertices, 3 * sizeof(float));
+    shape->bad = sil_i_take_bytes(heap, vertices);
+    for (k = 0; k < 4; ++k) {
+        shape->plane[k] = (float *)sil_i_take(heap, padded, sizeof(float));
+        if (shape->plane[k])
+            memset(shape->plane[k], 0, padded * sizeof(float));
+    }
+    return !heap->failed;
+}
+
+static void sil_i_shape_give(const sil_allocator *allocator, sil_i_shape *shape) {
+    int k;
+    sil_i_give(allocator, shape->position);
+    sil_i_give(allocator, shape->bad);
+    for (k = 0; k < 4; ++k)
+        sil_i_give(allocator, shape->plane[k]);
+    memset(shape, 0, sizeof *shape);
+}
+
+static void sil_i_shape_set_vertex(sil_i_shape *shape, size_t vertex, const float *position) {
+    float p[3];
+    memcpy(p, position, sizeof p); /* strides may leave floats unaligned */
+    shape->bad[vertex] = (unsigned char)!sil_i_all_finite(p, 3);
+    if (shape->bad[vertex])
+        memset(p, 0, sizeof p);
+    memcpy(shape->position + 3 * vertex, p, sizeof p);
+}
+
+/* Box, centre and scale of the vertices that faces have. */
+static void sil_i_shape_box(const sil_mesh *mesh, sil_i_shape *shape) {
+    size_t i;
+    int k, exponent, any = 0;
+    double extent = 0;
+    memset(shape->low, 0, sizeof shape->low);
+    memset(shape->high, 0, sizeof shape->high);
+    shape->bad_count = 0;
+    for (i = 0; i < mesh->unique_count; ++i) {
+        if (!mesh->referenced[i])
+            continue;
+        if (shape->bad[i]) {
+            ++shape->bad_count;
+            continue;
+        }
+        for (k = 0; k < 3; ++k) {
+            const double x = (double)shape->position[3 * i + (size_t)k];
+            shape->low[k] = any && shape->low[k] < x ? shape->low[k] : x;
+            shape->high[k] = any && shape->high[k] > x ? shape->high[k] : x;
+        }
+        any = 1;
+    }
+    for (k = 0; k < 3; ++k) {
+        shape->center[k] = 0.5 * (shape->low[k] + shape->high[k]);
+        extent = sil_i_larger(extent, shape->high[k] - shape->center[k]);
+    }
+    (void)frexp(extent * 1.001, &exponent); /* the centre may be rounded */
+    shape->scale = extent > 0 ? sil_i_scaled(1, exponent) : 1;
+}
+
+static void sil_i_normal(const sil_i_shape *shape, const uint32_t *corner, double normal[3], double *error) {
+    const float *a = shape->position + 3 * (size_t)corner[0], *b = shape->position + 3 * (size_t)corner[1];
+    const float *c = shape->position + 3 * (size_t)corner[2];
+    const double tiny = 8.470329472543003e-22;
+    double u[3], v[3], su[3], sv[3];
+    int k;
+    for (k = 0; k < 3; ++k) {
+        u[k] = (double)b[k] - (double)a[k];
+        v[k] = (double)c[k] - (double)a[k];
+        su[k] = sil_i_abs(u[k]) + tiny;
+        sv[k] = sil_i_abs(v[k]) + tiny;
+    }
+    normal[0] = u[1] * v[2] - u[2] * v[1];
+    normal[1] = u[2] * v[0] - u[0] * v[2];
+    normal[2] = u[0] * v[1] - u[1] * v[0];
+    *error = 8.881784197001252e-16 * /* 8 * 2^-53: twice the 4u of each coordinate */
+             (su[1] * sv[2] + su[2] * sv[1] + su[2] * sv[0] + su[0] * sv[2] + su[0] * sv[1] + su[1] * sv[0]);
+}
+
+/* The float plane of one face. Where the normal's error is more than 2^-26 of its length (a needle), or a corner is not
+   finite, the plane stays zero: it decides nothing. Returns 0 then. */
+static int sil_i_face_plane(const sil_mesh *mesh, sil_i_shape *shape, size_t face) {
+    const uint32_t *corner = mesh->corner + 3 * face;
+    const float *a = shape->position + 3 * (size_t)corner[0];
+    double normal[3], error, length, offset = 0;
+    int k;
+    for (k = 0; k < 4; ++k)
+        shape->plane[k][face] = 0;
+    if (shape->bad[corner[0]] || shape->bad[corner[1]] || shape->bad[corner[2]])
+        return 0;
+    sil_i_normal(shape, corner, normal, &error);
+    length = sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
+    if (!(length > error * 67108864.0))
+        return 0;
+    for (k = 0; k < 3; ++k) {
+        shape->plane[k][face] = (float)(normal[k] / length);
+        offset += normal[k] / length * (((double)a[k] - shape->center[k]) / shape->scale);
+    }
+    shape->plane[3][face] = (float)offset;
+    return 1;
+}
+
+/* A face without area has the plane of the one whose sign it takes. */
+static void sil_i_flat_planes(const sil_mesh *mesh, sil_i_shape *shape) {
+    size_t i;
+    int k;
+    for (i = 0; i < mesh->flat_count; ++i)
+        for (k = 0; k < 4; ++k)
+            shape->plane[k][mesh->flat_face[i]] =
+                mesh->flat_root[i] == SIL_NONE ? 0 : shape->plane[k][mesh->flat_root[i]];
+}
+
+/* ---- welding ---- */
+
+static uint32_t sil_i_hash(uint32_t a, uint32_t b, uint32_t c) {
+    uint32_t h = a * 0x9e3779b1u;
+    h = (h ^ h >> 15) + b;
+    h *= 0x85ebca77u;
+    h = (h ^ h >> 13) + c;
+    h *= 0xc2b2ae3du;
+    return h ^ h >> 16;
+}
+
+static size_t sil_i_table_size(size_t entries) {
+    size_t size = 16;
+    while (size < 2 * entries)
+        size *= 2;
+    return size;
+}
+
+static const float *sil_i_given(const sil_mesh_desc *desc, size_t vertex) {
+    const size_t stride = desc->position_stride ? desc->position_stride : 3 * sizeof(float);
+    return (const float *)(const void *)((const char *)(const void *)desc->positions + vertex * stride);
+}
+
+static uint32_t sil_i_new_vertex(sil_mesh *mesh, const sil_mesh_desc *desc, size_t vertex) {
+    const uint32_t welded = (uint32_t)mesh->unique_count++;
+    sil_i_shape_set_vertex(&mesh->rest, welded, sil_i_given(desc, vertex));
+    mesh->origin[welded] = (uint32_t)vertex;
+    mesh->welded[vertex] = welded;
+    return welded;
+}
+
+/* By equal position: an open-addressed table of vertices kept so far. */
+static void sil_i_weld_equal(sil_mesh *mesh, const sil_mesh_desc *desc, uint32_t *table, size_t table_size) {
+    size_t i, at;
+    memset(table, 0xff, table_size * sizeof(uint32_t));
+    for (i = 0; i < mesh->vertex_count; ++i) {
+        uint32_t bits[3];
+        int k, found = 0;
+        memcpy(bits, sil_i_given(desc, i), sizeof bits);
+        for (k = 0; k < 3; ++k)
+            bits[k] = bits[k] == 0x80000000u ? 0 : bits[k];
+        at = sil_i_hash(bits[0], bits[1], bits[2]) & (table_size - 1);
+        while (table[at] != SIL_NONE && !found) {
+            uint32_t kept[3];
+            memcpy(kept, sil_i_given(desc, mesh->origin[table[at]]), sizeof kept);
+            found = 1;
+            for (k = 0; k < 3; ++k)
+                found &= (kept[k] == 0x80000000u ? 0 : kept[k]) == bits[k];
+            if (!found)
+                at = (at + 1) & (table_size - 1);
+        }
+        if (found)
+            mesh->welded[i] = table[at];
+        else
+            table[at] = sil_i_new_vertex(mesh, desc, i);
+    }
+}
+
+static uint32_t sil_i_cell_hash(const int64_t *cell) {
+    uint32_t part[3];
+    int k;
+    for (k = 0; k < 3; ++k)
+        part[k] = (uint32_t)((uint64_t)cell[k] & 0xffffffffu) ^ (uint32_t)((uint64_t)cell[k] >> 32) * 0x27d4eb2fu;
+    return sil_i_hash(part[0], part[1], part[2]);
+}
+
+/* The first kept vertex within the distance in the 27 cells around a vertex's own, or SIL_NONE. */
+static uint32_t sil_i_weld_find(const sil_mesh *mesh, const float *p, const int64_t *cell, const uint32_t *heads,
+                                size_t table_size, const uint32_t *next, double distance) {
+    uint32_t best = SIL_NONE, other;
+    int i, k;
+    for (i = 0; i < 27; ++i) {
+        int64_t neighbour[3];
+        neighbour[0] = cell[0] + i % 3 - 1;
+        neighbour[1] = cell[1] + i / 3 % 3 - 1;
+        neighbour[2] = cell[2] + i / 9 - 1;
+        for (other = heads[sil_i_cell_hash(neighbour) & (table_size - 1)]; other != SIL_NONE; other = next[other]) {
+            double square = 0;
+            for (k = 0; k < 3; ++k) {
+                const double d = (double)p[k] - (double)mesh->rest.position[3 * (size_t)other + (size_t)k];
+                square += d * d;
+            }
+            if (square <= distance * distance && other < best && !mesh->rest.bad[other])
+                best = other;
+        }
+    }
+    return best;
+}
+
+/* By distance: kept vertices in a grid of cells a little larger than the distance, in a table of lists. Further out than
+   2^62 cells floats are further apart than the distance, so that it does no harm to clamp there. */
+static void sil_i_weld_close(sil_mesh *mesh, const sil_mesh_desc *desc, uint32_t *heads, size_t table_size,
+                             uint32_t *next) {
+    const double distance = (double)desc->weld_distance, size = distance * (1 + 9.5367431640625e-7);
+    size_t i;
+    memset(heads, 0xff, table_size * sizeof(uint32_t));
+    for (i = 0; i < mesh->vertex_count; ++i) {
+        int64_t cell[3];
+        float p[3];
+        uint32_t found, hash;
+        int k;
+        memcpy(p, sil_i_given(desc, i), sizeof p);
+        if (!sil_i_all_finite(p, 3)) {
+            (void)sil_i_new_vertex(mesh, desc, i);
+            continue;
+        }
+        for (k = 0; k < 3; ++k) {
+            const double c = floor((double)p[k] / size), edge = 4611686018427387904.0;
+            cell[k] = (int64_t)(c > edge ? edge : c < -edge ? -edge : c);
+        }
+        found = sil_i_weld_find(mesh, p, cell, heads, table_size, next, distance);
+        if (found != SIL_NONE) {
+            mesh->welded[i] = found;
+            continue;
+        }
+        found = sil_i_new_vertex(mesh, desc, i);
+        hash = sil_i_cell_hash(cell) & (uint32_t)(table_size - 1);
+        next[found] = heads[hash];
+        heads[hash] = found;
+    }
+}
+
+static void sil_i_build_vertices(sil_mesh *mesh, const sil_mesh_desc *desc, sil_i_heap *heap, sil_i_heap *scratch) {
+    const size_t count = mesh->vertex_count, table_size = sil_i_table_size(count);
+    uint32_t *table, *next = NULL;
+    size_t i;
+    mesh->welded = sil_i_take_words(heap, count);
+    mesh->origin = sil_i_take_words(heap, count);
+    mesh->referenced = sil_i_take_bytes(heap, count);
+    mesh->rest.position = (float *)sil_i_take(heap, count, 3 * sizeof(float));
+    mesh->rest.bad = sil_i_take_bytes(heap, count);
+    if (heap->failed)
+        return;
+    if (desc->weld_distance < 0) {
+        for (i = 0; i < count; ++i)
+            (void)sil_i_new_vertex(mesh, desc, i);
+        return;
+    }
+    table = sil_i_take_words(scratch, table_size);
+    if (desc->weld_distance > 0)
+        next = sil_i_take_words(scratch, count);
+    if (!scratch->failed) {
+        if (desc->weld_distance > 0)
+            sil_i_weld_close(mesh, desc, table, table_size, next);
+        else
+            sil_i_weld_equal(mesh, desc, table, table_size);
+    }
+    sil_i_give(&scratch->allocator, table);
+    sil_i_give(&scratch->allocator, next);
+}
+
+/* ---- faces ---- */
+
+/* A face by its welded vertices in rising order; what it is then does not depend on the order it came in. */
+typedef struct sil_i_triple {
+    uint32_t vertex[3];
+    uint32_t tag; /* 2 * the caller's triangle + 1 where the winding is reversed */
+} sil_i_triple;
+
+/* A stable counting sort by one of the three vertices. */
+static void sil_i_sort_triples(const sil_i_triple *from, sil_i_triple *to, size_t count, int key, size_t *starts,
+                               size_t keys) {
+    size_t i, sum = 0;
+    memset(starts, 0, keys * sizeof(size_t));
+    for (i = 0; i < count; ++i)
+        ++starts[from[i].vertex[key]];
+    for (i = 0; i < keys; ++i) {
+        const size_t here = starts[i];
+        starts[i] = sum;
+        sum += here;
+    }
+    for (i = 0; i < count; ++i)
+        to[starts[from[i].vertex[key]]++] = from[i];
+}
+
+static void sil_i_swap_words(uint32_t *a, uint32_t *b) {
+    const uint32_t t = *a;
+    *a = *b;
+    *b = t;
+}
+
+/* One triangle of the caller's into a triple; 0 where it is left out. */
+static int sil_i_read_face(sil_mesh *mesh, const sil_mesh_desc *desc, size_t face, sil_i_triple *triple) {
+    uint32_t reversed = 0, *v = triple->vertex;
+    int i;
+    for (i = 0; i < 3; ++i) {
+        const size_t at = 3 * face + (size_t)i;
+        const size_t vertex = desc->indices ? desc->indices[at] : at;
+        if (vertex >= mesh->vertex_count || mesh->rest.bad[mesh->welded[vertex]]) {
+            ++mesh->info.dropped_face_count;
+            return 0;
+        }
+        v[i] = mesh->welded[vertex];
+    }
+    if (v[0] == v[1] || v[1] == v[2] || v[2] == v[0]) {
+        ++mesh->info.degenerate_face_count;
+        return 0;
+    }
+    for (i = 0; i < 3; ++i) /* three exchanges sort three */
+        if (v[i % 2] > v[i % 2 + 1]) {
+            sil_i_swap_words(&v[i % 2], &v[i % 2 + 1]);
+            reversed ^= 1;
+        }
+    triple->tag = 2 * (uint32_t)face + reversed;
+    return 1;
+}
+
+/* Sorted triples to faces: the same three vertices once. A face in both windings is two-sided and starts as the rising
+   one. Corners are the triple, the last two exchanged where it is reversed. */
+static void sil_i_merge_faces(sil_mesh *mesh, const sil_i_triple *triples, size_t count) {
+    size_t i, j, faces = 0;
+    for (i = 0; i < count; i = j) {
+        uint32_t windings = 0, *corner = mesh->corner + 3 * faces;
+        for (j = i; j < count && memcmp(triples[j].vertex, triples[i].vertex, sizeof triples[i].vertex) == 0; ++j)
+            windings |= 1u << (triples[j].tag & 1);
+        memcpy(corner, triples[i].vertex, sizeof triples[i].vertex);
+        if (windings == 2)
+            sil_i_swap_words(&corner[1], &corner[2]);
+        mesh->face_flags[faces] = windings == 3 ? SIL_I_TWO_SIDED : 0;
+        mesh->info.two_sided_face_count += windings == 3;
+        mesh->info.duplicate_face_count += j - i - 1;
+        mesh->source[faces++] = triples[i].tag / 2;
+        mesh->referenced[corner[0]] = mesh->referenced[corner[1]] = mesh->referenced[corner[2]] = 1;
+    }
+    mesh->face_count = faces;
+}
+
+static void sil_i_build_faces(sil_mesh *mesh, const sil_mesh_desc *desc, size_t given, sil_i_heap *heap,
+                              sil_i_heap *scratch) {
+    sil_i_triple *first = (sil_i_triple *)sil_i_take(scratch, given, sizeof(sil_i_triple));
+    sil_i_triple *second = (sil_i_triple *)sil_i_take(scratch, given, sizeof(sil_i_triple));
+    size_t *starts = (size_t *)sil_i_take(scratch, mesh->unique_count, sizeof(size_t));
+    size_t i, count = 0;
+    if (!scratch->failed) {
+        for (i = 0; i < given; ++i)
+            count += (size_t)sil_i_read_face(mesh, desc, i, &first[count]);
+        sil_i_sort_triples(first, second, count, 2, starts, mesh->unique_count);
+        sil_i_sort_triples(second, first, count, 1, starts, mesh->unique_count);
+        sil_i_sort_triples(first, second, count, 0, starts, mesh->unique_count);
+        mesh->corner = sil_i_take_words(heap, 3 * count);
+        mesh->source = sil_i_take_words(heap, count);
+        mesh->face_flags = sil_i_take_bytes(heap, count);
+        if (!heap->failed)
+            sil_i_merge_faces(mesh, second, count);
+    }
+    sil_i_give(&scratch->allocator, first);
+    sil_i_give(&scratch->allocator, second);
+    sil_i_give(&scratch->allocator, starts);
+}
+
+/* Planes of the rest positions, and which faces have no area: where the plane is sound there is some. */
+static void sil_i_build_planes(sil_mesh *mesh, sil_i_heap *heap) {
+    const size_t padded = sil_i_padded(mesh->face_count);
+    size_t f;
+    int k;
+    for (k = 0; k < 4; ++k) {
+        mesh->rest.plane[k] = (float *)sil_i_take(heap, padded, sizeof(float));
+        if (mesh->rest.plane[k])
+            memset(mesh->rest.plane[k], 0, padded * sizeof(float));
+    }
+    if (heap->failed)
+        return;
+    sil_i_shape_box(mesh, &mesh->rest);
+    for (f = 0; f < mesh->face_count; ++f) {
+        const uint32_t *corner = mesh->corner + 3 * f;
+        const float *p = mesh->rest.position;
+        if (sil_i_face_plane(mesh, &mesh->rest, f))
+            continue;
+        if (sil_i_collinear(p + 3 * (size_t)corner[0], p + 3 * (size_t)corner[1], p + 3 * (size_t)corner[2])) {
+            mesh->face_flags[f] |= SIL_I_NO_AREA;
+            ++mesh->flat_count;
+        }
+    }
+    mesh->info.degenerate_face_count += mesh->flat_count;
+}
+
+/* ---- edges ---- */
+
+/* The two vertices of side i of a face (a "side" is 3 * face + i), the smaller first. */
+static void sil_i_side(const sil_mesh *mesh, uint32_t side, uint32_t v[2]) {
+    v[0] = mesh->corner[side];
+    v[1] = mesh->corner[side % 3 == 2 ? side - 2 : side + 1];
+    if (v[0] > v[1])
+        sil_i_swap_words(&v[0], &v[1]);
+}
+
+static void sil_i_sort_sides(const sil_mesh *mesh, const uint32_t *from, uint32_t *to, int key, size_t *starts) {
+    const size_t count = 3 * mesh->face_count;
+    size_t i, sum = 0;
+    uint32_t v[2];
+    memset(starts, 0, mesh->unique_count * sizeof(size_t));
+    for (i = 0; i < count; ++i) {
+        sil_i_side(mesh, (uint32_t)i, v);
+        ++starts[v[key]];
+    }
+    for (i = 0; i < mesh->unique_count; ++i) {
+        const size_t here = starts[i];
+        starts[i] = sum;
+        sum += here;
+    }
+    for (i = 0; i < count; ++i) {
+        const uint32_t side = from ? from[i] : (uint32_t)i;
+        sil_i_side(mesh, side, v);
+        to[starts[v[key]]++] = side;
+    }
+}
+
+/* The end of the run of sides that are the same edge as the one at `at`. */
+static size_t sil_i_run_end(const sil_mesh *mesh, const uint32_t *sides, size_t at) {
+    uint32_t v[2], w[2];
+    sil_i_side(mesh, sides[at], v);
+    while (++at < 3 * mesh->face_count) {
+        sil_i_side(mesh, sides[at], w);
+        if (v[0] != w[0] || v[1] != w[1])
+            break;
+    }
+    return at;
+}
+
+/* The faces of one edge, from its sides. Where there are more than two, faces without area only stay if the edge would
+   otherwise have fewer than two: a sliver along a good edge must not make it non-manifold. Returns their number. */
+static size_t sil_i_edge_faces(const sil_mesh *mesh, const uint32_t *sides, size_t count, uint32_t *faces) {
+    size_t i, kept = 0;
+    if (count > 2) {
+        for (i = 0; i < count; ++i)
+            if (!(mesh->face_flags[sides[i] / 3] & SIL_I_NO_AREA))
+                faces[kept++] = sides[i] / 3;
+        if (kept >= 2)
+            return kept;
+    }
+    for (i = 0; i < count; ++i)
+        faces[i] = sides[i] / 3;
+    return count;
+}
+
+static int sil_i_take_edges(sil_mesh *mesh, sil_i_heap *heap, size_t edges, size_t many, size_t many_faces) {
+    const size_t padded = sil_i_padded(edges);
+    mesh->edge_vertex = sil_i_take_words(heap, 2 * edges);
+    mesh->edge_face[0] = sil_i_take_words(heap, padded);
+    mesh->edge_face[1] = sil_i_take_words(heap, padded);
+    mesh->edge_kinds = sil_i_take_bytes(heap, padded);
+    mesh->face_edge = sil_i_take_words(heap, 3 * mesh->face_count);
+    mesh->many_edge = sil_i_take_words(heap, many);
+    mesh->many_first = sil_i_take_words(heap, many + 1);
+    mesh->many_face = sil_i_take_words(heap, many_faces);
+    if (heap->failed)
+        return 0;
+    memset(mesh->edge_face[0], 0, padded * sizeof(uint32_t));
+    memset(mesh->edge_face[1], 0, padded * sizeof(uint32_t));
+    return 1;
+}
+
+/* Sorted sides to edges. `faces` has room for those of the edge with the most. */
+static void sil_i_fill_edges(sil_mesh *mesh, const uint32_t *sides, uint32_t *faces) {
+    size_t i, j, e = 0, listed = 0;
+    mesh->many_first[0] = 0;
+    for (i = 0; i < 3 * mesh->face_count; i = j, ++e) {
+        size_t count, k;
+        j = sil_i_run_end(mesh, sides, i);
+        count = sil_i_edge_faces(mesh, sides + i, j - i, faces);
+        sil_i_side(mesh, sides[i], mesh->edge_vertex + 2 * e);
+        for (k = i; k < j; ++k)
+            mesh->face_edge[sides[k]] = (uint32_t)e;
+        mesh->edge_face[0][e] = faces[0];
+        mesh->edge_face[1][e] = faces[count > 1 ? 1 : 0];
+        if (count <= 2)
+            continue;
+        mesh->edge_kinds[e] = SIL_I_MANY;
+        memcpy(mesh->many_face + listed, faces, count * sizeof(uint32_t));
+        listed += count;
+        mesh->many_edge[mesh->many_count++] = (uint32_t)e;
+        mesh->many_first[mesh->many_count] = (uint32_t)listed;
+    }
+    mesh->edge_count = e;
+}
+
+/* By counting sort of the sides, by their larger and then by their smaller vertex. */
+static void sil_i_build_edges(sil_mesh *mesh, sil_i_heap *heap, sil_i_heap *scratch) {
+    const size_t count = 3 * mesh->face_count;
+    uint32_t *first = sil_i_take_words(scratch, count), *second = sil_i_take_words(scratch, count);
+    size_t *starts = (size_t *)sil_i_take(scratch, mesh->unique_count, sizeof(size_t));
+    size_t i, j, edges = 0, many = 0, many_faces = 0;
+    if (!scratch->failed) {
+        sil_i_sort_sides(mesh, NULL, first, 1, starts);
+        sil_i_sort_sides(mesh, first, second, 0, starts);
+        for (i = 0; i < count; i = j, ++edges) {
+            j = sil_i_run_end(mesh, second, i);
+            if (sil_i_edge_faces(mesh, second + i, j - i, first) > 2) {
+                ++many;
+                many_faces += j - i;
+            }
+        }
+        if (sil_i_take_edges(mesh, heap, edges, many, many_faces))
+            sil_i_fill_edges(mesh, second, first);
+    }
+    sil_i_give(&scratch->allocator, first);
+    sil_i_give(&scratch->allocator, second);
+    sil_i_give(&scratch->allocator, starts);
+}
+
+/* ---- what faces and edges are to each other ---- */
+
+/* The face across an edge of exactly two faces, else SIL_NONE. */
+static uint32_t sil_i_across(const sil_mesh *mesh, uint32_t edge, uint32_t face) {
+    const uint32_t f0 = mesh->edge_face[0][edge], f1 = mesh->edge_face[1][edge];
+    if (mesh->edge_kinds[edge] & SIL_I_MANY || f0 == f1)
+        return SIL_NONE;
+    return f0 == face ? f1 : f1 == face ? f0 : SIL_NONE;
+}
+
+/* Does the face pass along the edge from the smaller to the larger vertex? */
+static int sil_i_rises(const sil_mesh *mesh, uint32_t face, uint32_t edge) {
+    const uint32_t *corner = mesh->corner + 3 * (size_t)face, *v = mesh->edge_vertex + 2 * (size_t)edge;
+    return (corner[0] == v[0] && corner[1] == v[1]) || (corner[1] == v[0] && corner[2] == v[1]) ||
+           (corner[2] == v[0] && corner[0] == v[1]);
+}
+
+static void sil_i_reverse_face(sil_mesh *mesh, uint32_t face) {
+    int k;
+    sil_i_swap_words(&mesh->corner[3 * (size_t)face + 1], &mesh->corner[3 * (size_t)face + 2]);
+    sil_i_swap_words(&mesh->face_edge[3 * (size_t)face], &mesh->face_edge[3 * (size_t)face + 2]);
+    for (k = 0; k < 4; ++k)
+        mesh->rest.plane[k][face] = -mesh->rest.plane[k][face];
+}
+
+/* Winds two-sided faces as their neighbours are: first from one-sided faces, then from the first face of each set that
+   is left. Only across edges of two faces. */
+static void sil_i_orient(sil_mesh *mesh, sil_i_heap *scratch) {
+    uint32_t *queue;
+    unsigned char *done;
+    size_t begin = 0, end = 0, f, next = 0;
+    if (!mesh->info.two_sided_face_count)
+        return;
+    queue = sil_i_take_words(scratch, mesh->face_count);
+    done = sil_i_take_bytes(scratch, mesh->face_count);
+    if (!scratch->failed) {
+        for (f = 0; f < mesh->face_count; ++f)
+            if (!(mesh->face_flags[f] & SIL_I_TWO_SIDED)) {
+                done[f] = 1;
+                queue[end++] = (uint32_t)f;
+            }
+        while (end < mesh->face_count || begin < end) {
+            uint32_t face;
+            int i;
+            if (begin == end) {
+                while (done[next])
+                    ++next;
+                done[next] = 1;
+                queue[end++] = (uint32_t)next;
+            }
+            face = queue[begin++];
+            for (i = 0; i < 3; ++i) {
+                const uint32_t edge = mesh->face_edge[3 * (size_t)face + (size_t)i];
+                const uint32_t other = sil_i_across(mesh, edge, face);
+                if (other == SIL_NONE || done[other])
+                    continue;
+                if (sil_i_rises(mesh, face, edge) == sil_i_rises(mesh, other, edge))
+                    sil_i_reverse_face(mesh, other);
+                done[other] = 1;
+                queue[end++] = other;
+            }
+        }
+    }
+    sil_i_give(&scratch->allocator, queue);
+    sil_i_give(&scratch->allocator, done);
+}
+
+/* Lexicographic order of positions: along a line it is the order on the line. */
+static int sil_i_before(const sil_mesh *mesh, uint32_t a, uint32_t b) {
+    int k;
+    for (k = 0; k < 3; ++k) {
+        const float x = mesh->rest.position[3 * (size_t)a + (size_t)k];
+        const float y = mesh->rest.position[3 * (size_t)b + (size_t)k];
+        if (x < y || y < x)
+            return x < y;
+    }
+    return a < b;
+}
+
+/* The longest edge of a face without area: the one across from the corner that lies between the other two. Exact. */
+static uint32_t sil_i_longest_edge(const sil_mesh *mesh, uint32_t face) {
+    const uint32_t *corner = mesh->corner + 3 * (size_t)face;
+    int i;
+    for (i = 0; i < 2; ++i)
+        if (sil_i_before(mesh, corner[i], corner[(i + 1) % 3]) != sil_i_before(mesh, corner[i], corner[(i + 2) % 3]))
+            break;
+    return mesh->face_edge[3 * (size_t)face + (size_t)((i + 1) % 3)];
+}
+
+#define SIL_I_UNKNOWN 0xfffffffeu /* a root not looked for yet */
+#define SIL_I_ON_PATH 0xfffffffdu /* on the path being followed */
+
+/* Follows longest edges from a face without area to a face with a root, and gives that root to all on the way. */
+static void sil_i_follow(const sil_mesh *mesh, uint32_t face, uint32_t *root, uint32_t *path) {
+    size_t length = 0;
+    uint32_t found;
+    while (face != SIL_NONE && root[face] == SIL_I_UNKNOWN) {
+        root[face] = SIL_I_ON_PATH;
+        path[length++] = face;
+        face = sil_i_across(mesh, sil_i_longest_edge(mesh, face), face);
+    }
+    found = face == SIL_NONE || root[face] == SIL_I_ON_PATH ? SIL_NONE : root[face];
+    while (length)
+        root[path[--length]] = found;
+}
+
+/* Faces whose way along longest edges ends nowhere take the root of a neighbour that has one, the nearest ones first. */
+static void sil_i_spread(const sil_mesh *mesh, uint32_t *root, uint32_t *queue) {
+    size_t begin = 0, end = 0, f;
+    int i;
+    for (f = 0; f < mesh->face_count; ++f)
+        for (i = 0; i < 3 && root[f] == SIL_NONE; ++i) {
+            const uint32_t other = sil_i_across(mesh, mesh->face_edge[3 * f + (size_t)i], (uint32_t)f);
+            if (other != SIL_NONE && root[other] == other) {
+                root[f] = other;
+                queue[end++] = (uint32_t)f;
+            }
+        }
+    while (begin < end) {
+        const uint32_t face = queue[begin++];
+        for (i = 0; i < 3; ++i) {
+            const uint32_t other = sil_i_across(mesh, mesh->face_edge[3 * (size_t)face + (size_t)i], face);
+            if (other != SIL_NONE && root[other] == SIL_NONE) {
+                root[other] = root[face];
+                queue[end++] = other;
+            }
+        }
+    }
+}
+
+static void sil_i_build_roots(sil_mesh *mesh, sil_i_heap *heap, sil_i_heap *scratch) {
+    uint32_t *root, *path;
+    size_t f, at = 0;
+    mesh->flat_face = sil_i_take_words(heap, mesh->flat_count);
+    mesh->flat_root = sil_i_take_words(heap, mesh->flat_count);
+    if (heap->failed || !mesh->flat_count)
+        return;
+    root = sil_i_take_words(scratch, mesh->face_count);
+    path = sil_i_take_words(scratch, mesh->flat_count);
+    if (!scratch->failed) {
+        for (f = 0; f < mesh->face_count; ++f)
+            root[f] = mesh->face_flags[f] & SIL_I_NO_AREA ? SIL_I_UNKNOWN : (uint32_t)f;
+        for (f = 0; f < mesh->face_count; ++f)
+            sil_i_follow(mesh, (uint32_t)f, root, path);
+        sil_i_spread(mesh, root, path);
+        for (f = 0; f < mesh->face_count; ++f)
+            if (mesh->face_flags[f] & SIL_I_NO_AREA) {
+                mesh->flat_face[at] = (uint32_t)f;
+                mesh->flat_root[at++] = root[f];
+            }
+        sil_i_flat_planes(mesh, &mesh->rest);
+    }
+    sil_i_give(&scratch->allocator, root);
+    sil_i_give(&scratch->allocator, path);
+}
+
+/* The face that a face's sign and normal come from: itself, unless it has no area. */
+static uint32_t sil_i_sign_face(const sil_mesh *mesh, uint32_t face) {
+    return mesh->face_flags[face] & SIL_I_NO_AREA ? sil_i_root(mesh, face) : face;
+}
+
+/* The angle between two faces' normals in degrees; `flipped` where the faces are wound in opposite senses. */
+static double sil_i_dihedral(const sil_mesh *mesh, uint32_t face0, uint32_t face1, int flipped) {
+    double n[2][3], cross[3], dot = 0, error;
+    const uint32_t face[2] = {face0, face1};
+    int i, k;
+    for (i = 0; i < 2; ++i) {
+        double length;
+        sil_i_normal(&mesh->rest, mesh->corner + 3 * (size_t)face[i], n[i], &error);
+        length = sqrt(n[i][0] * n[i][0] + n[i][1] * n[i][1] + n[i][2] * n[i][2]);
+        for (k = 0; k < 3; ++k)
+            n[i][k] = length > 0 ? n[i][k] / length : 0;
+    }
+    for (k = 0; k < 3; ++k) {
+        cross[k] = n[0][(k + 1) % 3] * n[1][(k + 2) % 3] - n[0][(k + 2) % 3] * n[1][(k + 1) % 3];
+        dot += n[0][k] * n[1][k];
+    }
+    return atan2(sqrt(cross[0] * cross[0] + cross[1] * cross[1] + cross[2] * cross[2]), flipped ? -dot : dot) *
+           (180 / SIL_I_PI);
+}
+
+/* What an edge is in every view, and the counts of it. */
+static unsigned sil_i_fixed_kinds(sil_mesh *mesh, uint32_t edge, double crease) {
+    const uint32_t f0 = mesh->edge_face[0][edge], f1 = mesh->edge_face[1][edge];
+    const uint32_t s0 = sil_i_sign_face(mesh, f0), s1 = sil_i_sign_face(mesh, f1);
+    int flipped;
+    if (mesh->edge_kinds[edge] & SIL_I_MANY) {
+        if (mesh->face_flags[f0] & SIL_I_NO_AREA || mesh->face_flags[f1] & SIL_I_NO_AREA)
+            return SIL_I_MANY; /* faces without area stayed because there are no two others: not non-manifold */
+        ++mesh->info.nonmanifold_edge_count;
+        return SIL_I_MANY | SIL_NONMANIFOLD;
+    }
+    if (f0 == f1) {
+        mesh->info.boundary_edge_count += s0 != SIL_NONE;
+        return s0 != SIL_NONE ? SIL_BOUNDARY : 0;
+    }
+    if (s0 == SIL_NONE || s1 == SIL_NONE || s0 == s1)
+        return 0;
+    flipped = sil_i_rises(mesh, f0, edge) == sil_i_rises(mesh, f1, edge);
+    if (!((mesh->face_flags[f0] | mesh->face_flags[f1]) & SIL_I_NO_AREA))
+        mesh->info.flipped_edge_count += (size_t)flipped;
+    else
+        flipped = 0; /* a face without area has no sense of its own */
+    if (!(sil_i_dihedral(mesh, s0, s1, flipped) > crease))
+        return 0;
+    ++mesh->info.crease_edge_count;
+    return SIL_CREASE;
+}
+
+static uint32_t sil_i_find_set(uint32_t *parent, uint32_t face) {
+    while (parent[face] != face) {
+        parent[face] = parent[parent[face]];
+        face = parent[face];
+    }
+    return face;
+}
+
+static void sil_i_join_sets(uint32_t *parent, uint32_t a, uint32_t b) {
+    a = sil_i_find_set(parent, a);
+    b = sil_i_find_set(parent, b);
+    if (a < b)
+        parent[b] = a;
+    else
+        parent[a] = b;
+}
+
+static void sil_i_build_components(sil_mesh *mesh, sil_i_heap *scratch) {
+    uint32_t *parent = sil_i_take_words(scratch, mesh->face_count);
+    size_t i, e;
+    if (parent) {
+        for (i = 0; i < mesh->face_count; ++i)
+            parent[i] = (uint32_t)i;
+        for (i = 0; i < 3 * mesh->face_count; ++i) /* every face with the first of each of its edges */
+            sil_i_join_sets(parent, (uint32_t)(i / 3), mesh->edge_face[0][mesh->face_edge[i]]);
+        for (i = 0; i < mesh->face_count; ++i)
+            mesh->info.component_count += parent[i] == i;
+    }
+    mesh->info.closed = mesh->face_count > 0 && !mesh->info.boundary_edge_count;
+    for (e = 0; e < mesh->many_count; ++e)
+        if ((mesh->many_first[e + 1] - mesh->many_first[e]) % 2)
+            mesh->info.closed = 0;
+    sil_i_give(&scratch->allocator, parent);
+}
+
+static void sil_i_build(sil_mesh *mesh, const sil_mesh_desc *desc, size_t triangles, sil_i_heap *heap) {
+    sil_i_heap scratch = *heap;
+    double crease = (double)desc->crease_degrees;
+    size_t e;
+    if (crease <= 0)
+        crease = crease < 0 ? 1e-9 : 30; /* 1e-9: rounding of what is flat */
+    sil_i_build_vertices(mesh, desc, heap, &scratch);
+    if (!heap->failed && !scratch.failed)
+        sil_i_build_faces(mesh, desc, triangles, heap, &scratch);
+    if (!heap->failed && !scratch.failed)
+        sil_i_build_planes(mesh, heap);
+    if (!heap->failed && !scratch.failed)
+        sil_i_build_edges(mesh, heap, &scratch);
+    if (!heap->failed && !scratch.failed)
+        sil_i_orient(mesh, &scratch);
+    if (!heap->failed && !scratch.failed)
+        sil_i_build_roots(mesh, heap, &scratch);
+    if (!heap->failed && !scratch.failed) {
+        for (e = 0; e < mesh->edge_count; ++e)
+            mesh->edge_kinds[e] = (unsigned char)sil_i_fixed_kinds(mesh, (uint32_t)e, crease);
+        sil_i_build_components(mesh, &scratch);
+    }
+    heap->failed |= scratch.failed;
+}
+
+static sil_result sil_i_check_desc(const sil_mesh_desc *desc, size_t *triangles) {
+    size_t indices;
+    if (!desc || (!desc->positions && desc->vertex_count) || (!desc->indices && desc->index_count) ||
+        (desc->position_stride && desc->position_stride < 3 * sizeof(float)) ||
+        (!desc->allocator.alloc_fn) != (!desc->allocator.free_fn) || !sil_i_finite(desc->weld_distance) ||
+        !sil_i_finite(desc->crease_degrees))
+        return SIL_INVALID_ARGUMENT;
+    indices = desc->indices ? desc->index_count : desc->vertex_count;
+    if (indices % 3)
+        return SIL_INCOMPLETE_TRIANGLE;
+    *triangles = indices / 3;
+    if (desc->vertex_count >= SIL_NONE || *triangles >= 0x10000000u)
+        return SIL_TOO_LARGE;
+    return SIL_OK;
+}
+
+static void sil_i_log(const sil_mesh_desc *desc, int level, sil_result code) {
+    if (desc && desc->log_fn)
+        desc->log_fn(level, (int)code, sil_result_string(code), desc->log_user);
+}
+
+static void sil_i_finish_info(sil_mesh *mesh, const sil_i_heap *heap) {
+    mesh->info.vertex_count = mesh->vertex_count;
+    mesh->info.unique_vertex_count = mesh->unique_count;
+    mesh->info.face_count = mesh->face_count;
+    mesh->info.edge_count = mesh->edge_count;
+    mesh->info.bytes = heap->bytes;
+}
+
+SIL_DEF sil_mesh *sil_mesh_create(const sil_mesh_desc *desc, sil_result *result) {
+    size_t triangles = 0;
+    sil_result code = sil_i_check_desc(desc, &triangles);
+    sil_mesh *mesh = NULL;
+    if (code == SIL_OK) {
+        sil_i_heap heap;
+        memset(&heap, 0, sizeof heap);
+        heap.allocator = desc->allocator;
+        if (!heap.allocator.alloc_fn) {
+            heap.allocator.alloc_fn = sil_i_default_alloc;
+            heap.allocator.free_fn = sil_i_default_free;
+        }
+        mesh = (sil_mesh *)sil_i_take(&heap, 1, sizeof *mesh);
+        if (mesh) {
+            memset(mesh, 0, sizeof *mesh);
+            mesh->allocator = heap.allocator;
+            mesh->vertex_count = desc->vertex_count;
+            sil_i_build(mesh, desc, triangles, &heap);
+            sil_i_finish_info(mesh, &heap);
+        }
+        if (heap.failed) {
+            code = SIL_OUT_OF_MEMORY;
+            sil_mesh_destroy(mesh);
+            mesh = NULL;
+        }
+    }
+    if (code != SIL_OK)
+        sil_i_log(desc, SIL_LOG_ERROR, code);
+    if (mesh && mesh->info.dropped_face_count)
+        sil_i_log(desc, SIL_LOG_WARNING, SIL_DROPPED_FACES);
+    if (mesh && mesh->info.flipped_edge_count)
+        sil_i_log(desc, SIL_LOG_WARNING, SIL_FLIPPED_EDGES);
+    if (result)
+        *result = code;
+    return mesh;
+}
+
+SIL_DEF void sil_mesh_destroy(sil_mesh *mesh) {
+    sil_allocator allocator;
+    if (!mesh)
+        return;
+    allocator = mesh->allocator;
+    sil_i_give(&allocator, mesh->welded);
+    sil_i_give(&allocator, mesh->origin);
+    sil_i_give(&allocator, mesh->referenced);
+    sil_i_give(&allocator, mesh->corner);
+    sil_i_give(&allocator, mesh->source);
+    sil_i_give(&allocator, mesh->face_flags);
+    sil_i_give(&allocator, mesh->face_edge);
+    sil_i_give(&allocator, mesh->edge_vertex);
+    sil_i_give(&allocator, mesh->edge_face[0]);
+    sil_i_give(&allocator, mesh->edge_face[1]);
+    sil_i_give(&allocator, mesh->edge_kinds);
+    sil_i_give(&allocator, mesh->flat_face);
+    sil_i_give(&allocator, mesh->flat_root);
+    sil_i_give(&allocator, mesh->many_edge);
+    sil_i_give(&allocator, mesh->many_first);
+    sil_i_give(&allocator, mesh->many_face);
+    sil_i_shape_give(&allocator, &mesh->rest);
+    sil_i_give(&allocator, mesh);
+}
+
+SIL_DEF sil_mesh_info sil_mesh_get_info(const sil_mesh *mesh) {
+    sil_mesh_info info;
+    memset(&info, 0, sizeof info);
+    return mesh ? mesh->info : info;
+}
+
+/* ---- poses ---- */
+
+SIL_DEF sil_pose *sil_pose_create(const sil_mesh *mesh, sil_result *result) {
+    sil_i_heap heap;
+    sil_pose *pose = NULL;
+    sil_result code = mesh ? SIL_OK : SIL_INVALID_ARGUMENT;
+    if (mesh) {
+        memset(&heap, 0, sizeof heap);
+        heap.allocator = mesh->allocator;
+        pose = (sil_pose *)sil_i_take(&heap, 1, sizeof *pose);
+        if (pose) {
+            memset(pose, 0, sizeof *pose);
+            pose->mesh = mesh;
+            pose->front = sil_i_take_bytes(&heap, sil_i_padded(mesh->face_count));
+        }
+        if (heap.failed) {
+            sil_i_give(&heap.allocator, pose);
+            pose = NULL;
+            code = SIL_OUT_OF_MEMORY;
+        }
+    }
+    if (result)
+        *result = code;
+    return pose;
+}
+
+SIL_DEF void sil_pose_destroy(sil_pose *pose) {
+    sil_allocator allocator;
+    if (!pose)
+        return;
+    allocator = pose->mesh->allocator;
+    sil_i_shape_give(&allocator, &pose->shape);
+    sil_i_give(&allocator, pose->front);
+    sil_i_give(&allocator, pose->scratch);
+    sil_i_give(&allocator, pose);
+}
+
+SIL_DEF sil_result sil_pose_set(sil_pose *pose, const float *positions, size_t stride) {
+    const sil_mesh *mesh;
+    size_t i;
+    if (!pose || (stride && stride < 3 * sizeof(float)))
+        return SIL_INVALID_ARGUMENT;
+    mesh = pose->mesh;
+    pose->is_set = pose->is_set && positions;
+    if (!positions)
+        return SIL_OK;
+    if (!pose->shape.position) {
+        sil_i_heap heap;
+        memset(&heap, 0, sizeof heap);
+        heap.allocator = mesh->allocator;
+        if (!sil_i_shape_take(&heap, &pose->shape, mesh->unique_count, mesh->face_count)) {
+            sil_i_shape_give(&heap.allocator, &pose->shape);
+            return SIL_OUT_OF_MEMORY;
+        }
+    }
+    stride = stride ? stride : 3 * sizeof(float);
+    for (i = 0; i < mesh->unique_count; ++i) {
+        const char *given = (const char *)(const void *)positions + mesh->origin[i] * stride;
+        sil_i_shape_set_vertex(&pose->shape, i, (const float *)(const void *)given);
+    }
+    sil_i_shape_box(mesh, &pose->shape);
+    for (i = 0; i < mesh->face_count; ++i)
+        (void)sil_i_face_plane(mesh, &pose->shape, i);
+    sil_i_flat_planes(mesh, &pose->shape);
+    pose->is_set = 1;
+    return SIL_OK;
+}
+
+static const sil_i_shape *sil_i_shape_of(const sil_mesh *mesh, const sil_pose *pose) {
+    return pose && pose->is_set ? &pose->shape : &mesh->rest;
+}
+
+/* ---- views ---- */
+
+SIL_DEF sil_view sil_view_perspective(const double eye[3]) {
+    sil_view view;
+    memcpy(view.eye, eye, 3 * sizeof(double));
+    view.eye[3] = 1;
+    return view;
+}
+
+SIL_DEF sil_view sil_view_orthographic(const double toward_eye[3]) {
+    sil_view view;
+    memcpy(view.eye, toward_eye, 3 * sizeof(double));
+    view.eye[3] = 0;
+    return view;
+}
+
+/* out = a * b, column-major. */
+static void sil_i_multiply(const double a[16], const double b[16], double out[16]) {
+    int row, column, k;
+    for (column = 0; column < 4; ++column)
+        for (row = 0; row < 4; ++row) {
+            double sum = 0;
+            for (k = 0; k < 4; ++k)
+                sum += a[4 * k + row] * b[4 * column + k];
+            out[4 * column + row] = sum;
+        }
+}
+
+static void sil_i_widen(const float *from, double *to, int count) {
+    int i;
+    for (i = 0; i < count; ++i)
+        to[i] = (double)from[i];
+}
+
+/* The determinant of rows r0, r1, r2 of a 4x4 matrix without column `skip`. */
+static double sil_i_minor(const double m[16], int r0, int r1, int r2, int skip) {
+    const int c0 = 4 * (skip == 0), c1 = 4 * (skip <= 1 ? 2 : 1), c2 = 4 * (skip <= 2 ? 3 : 2);
+    return m[c0 + r0] * (m[c1 + r1] * m[c2 + r2] - m[c2 + r1] * m[c1 + r2]) -
+           m[c1 + r0] * (m[c0 + r1] * m[c2 + r2] - m[c2 + r1] * m[c0 + r2]) +
+           m[c2 + r0] * (m[c0 + r1] * m[c1 + r2] - m[c1 + r1] * m[c0 + r2]);
+}
+
+/* Is the volume that the first three columns span nothing but rounding, next to the product of their lengths? */
+static int sil_i_is_singular(const double m[16]) {
+    double product = 1;
+    int i;
+    for (i = 0; i < 12; i += 4)
+        product *= sqrt(m[i] * m[i] + m[i + 1] * m[i + 1] + m[i + 2] * m[i + 2]);
+    return !(sil_i_abs(sil_i_minor(m, 0, 1, 2, 3)) > 1e-14 * product);
+}
+
+SIL_DEF sil_result sil_view_from_matrices(const float model_view[16], const float projection[16], sil_view *view) {
+    double mv[16], p[16], clip[16], eye[4], toward, largest = 0;
+    int i, negate;
+    if (!view)
+        return SIL_INVALID_ARGUMENT;
+    memset(view, 0, sizeof *view);
+    if (!model_view || !projection || !sil_i_all_finite(model_view, 16) || !sil_i_all_finite(projection, 16))
+        return SIL_INVALID_ARGUMENT;
+    sil_i_widen(model_view, mv, 16);
+    sil_i_widen(projection, p, 16);
+    sil_i_multiply(p, mv, clip);
+    /* The centre of projection is the point that has no place on the screen: clip x, y and w are all 0 there. */
+    for (i = 0; i < 4; ++i) {
+        eye[i] = sil_i_minor(clip, 0, 1, 3, i) * (i % 2 ? -1 : 1);
+        largest = sil_i_larger(largest, sil_i_abs(eye[i]));
+    }
+    if (!(largest > 0) || sil_i_is_singular(mv))
+        return SIL_INVALID_ARGUMENT;
+    toward = eye[0] * mv[2] + eye[1] * mv[6] + eye[2] * mv[10] + eye[3] * mv[14];
+    negate = eye[3] < 0 || (!(eye[3] > 0) && toward < 0);
+    for (i = 0; i < 4; ++i)
+        view->eye[i] = (negate ? -eye[i] : eye[i]) / largest;
+    return SIL_OK;
+}
+
+/* ---- extraction ---- */
+
+/* How the faces of one call are told apart: by signs found before, or, without a pose, one at a time. */
+typedef struct sil_i_signs {
+    const sil_mesh *mesh;
+    const sil_i_shape *shape;
+    const unsigned char *front; /* NULL: ask for each */
+    sil_i_eye eye;
+    int in_view; /* 0: there is no eye */
+} sil_i_signs;
+
+static int sil_i_is_front(const sil_i_signs *signs, uint32_t face) {
+    return signs->front ? signs->front[face] : sil_i_front(signs->mesh, signs->shape, &signs->eye, face);
+}
+
+/* A pose may have vertices that are not finite: faces that have one are backs. */
+static void sil_i_clear_bad_faces(const sil_mesh *mesh, const sil_i_shape *shape, unsigned char *front) {
+    size_t i;
+    if (shape->bad_count)
+        for (i = 0; i < 3 * mesh->face_count; ++i)
+            if (shape->bad[mesh->corner[i]])
+                front[i / 3] = 0;
+}
+
+static size_t sil_i_find_many(const sil_mesh *mesh, uint32_t edge) {
+    size_t low = 0, high = mesh->many_count;
+    while (low < high) {
+        const size_t middle = low + (high - low) / 2;
+        if (mesh->many_edge[middle] < edge)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+/* The first front and the first back face of an edge of many; faces that take no sign are neither. */
+static void sil_i_many_faces(const sil_i_signs *signs, uint32_t edge, uint32_t found[2]) {
+    const sil_mesh *mesh = signs->mesh;
+    const size_t at = sil_i_find_many(mesh, edge);
+    uint32_t i;
+    found[0] = found[1] = SIL_NONE;
+    for (i = mesh->many_first[at]; i < mesh->many_first[at + 1]; ++i) {
+        const uint32_t face = mesh->many_face[i];
+        if (sil_i_sign_face(mesh, face) != SIL_NONE) {
+            uint32_t *slot = &found[sil_i_is_front(signs, face) ? 0 : 1];
+            if (*slot == SIL_NONE)
+                *slot = face;
+        }
+    }
+}
+
+/* All kinds of an edge in the view, and its two faces with a front one first. */
+static unsigned sil_i_classify(const sil_i_signs *signs, uint32_t edge, uint32_t face[2]) {
+    const sil_mesh *mesh = signs->mesh;
+    unsigned kinds = mesh->edge_kinds[edge];
+    face[0] = mesh->edge_face[0][edge];
+    face[1] = mesh->edge_face[1][edge];
+    if (!signs->in_view)
+        kinds &= 15u;
+    else if (kinds & SIL_I_MANY) {
+        uint32_t found[2];
+        sil_i_many_faces(signs, edge, found);
+        kinds &= SIL_NONMANIFOLD;
+        if (found[0] != SIL_NONE && found[1] != SIL_NONE) {
+            kinds |= SIL_SILHOUETTE;
+            memcpy(face, found, sizeof found);
+        }
+    } else {
+        const int front0 = sil_i_is_front(signs, face[0]), front1 = sil_i_is_front(signs, face[1]);
+        const unsigned flags = mesh->face_flags[face[0]] & (unsigned)mesh->face_flags[face[1]];
+        if (front0 != front1)
+            kinds = SIL_SILHOUETTE;
+        else if (!front0 && !(flags & SIL_I_TWO_SIDED))
+            kinds &= SIL_BOUNDARY;
+        if (front1 && !front0)
+            sil_i_swap_words(&face[0], &face[1]);
+    }
+    return kinds;
+}
+
+static int sil_i_edge_is_bad(const sil_i_signs *signs, uint32_t edge) {
+    const uint32_t *v = signs->mesh->edge_vertex + 2 * (size_t)edge;
+    return signs->shape->bad_count && (signs->shape->bad[v[0]] || signs->shape->bad[v[1]]);
+}
+
+static void sil_i_write_edge(const sil_i_signs *signs, uint32_t edge, unsigned kinds, uint32_t face[2], sil_edge *out) {
+    const sil_mesh *mesh = signs->mesh;
+    const uint32_t *v = mesh->edge_vertex + 2 * (size_t)edge;
+    int rises, front = signs->in_view ? sil_i_is_front(signs, face[0]) : 1;
+    /* Where both are alike, the one that passes from the smaller to the larger vertex is first. */
+    if (!(kinds & SIL_SILHOUETTE) && face[0] != face[1] && !sil_i_rises(mesh, face[0], edge) &&
+        sil_i_rises(mesh, face[1], edge))
+        sil_i_swap_words(&face[0], &face[1]);
+    rises = sil_i_rises(mesh, face[0], edge);
+    if (!front && mesh->face_flags[face[0]] & SIL_I_TWO_SIDED)
+        rises = !rises; /* its other side is in front */
+    out->a = mesh->origin[v[rises ? 0 : 1]];
+    out->b = mesh->origin[v[rises ? 1 : 0]];
+    out->face[0] = mesh->source[face[0]];
+    out->face[1] = face[1] == face[0] ? SIL_NONE : mesh->source[face[1]];
+    out->edge = edge;
+    out->kinds = kinds;
+}
+
+/* Which of a block of edges may be asked for: a byte each. */
+static void sil_i_candidates(const sil_i_signs *signs, size_t first, unsigned kinds,
+                             unsigned char candidate[SIL_I_BLOCK]) {
+    const sil_mesh *mesh = signs->mesh;
+    const uint32_t *f0 = mesh->edge_face[0] + first, *f1 = mesh->edge_face[1] + first;
+    const unsigned char *fixed = mesh->edge_kinds + first;
+    const unsigned silhouettes = kinds & SIL_SILHOUETTE && signs->in_view;
+    const unsigned char wanted = (unsigned char)((kinds & 15u) | (silhouettes ? SIL_I_MANY : 0));
+    size_t i;
+    for (i = 0; i < SIL_I_BLOCK; ++i)
+        candidate[i] = (unsigned char)(fixed[i] & wanted);
+    if (!silhouettes)
+        return;
+    if (signs->front)
+        for (i = 0; i < SIL_I_BLOCK; ++i)
+            candidate[i] = (unsigned char)(candidate[i] | (signs->front[f0[i]] ^ signs->front[f1[i]]));
+    else
+        for (i = 0; i < SIL_I_BLOCK && first + i < mesh->edge_count; ++i)
+            if (!candidate[i] && f0[i] != f1[i])
+                candidate[i] = (unsigned char)(sil_i_is_front(signs, f0[i]) ^ sil_i_is_front(signs, f1[i]));
+}
+
+SIL_DEF size_t sil_extract(const sil_mesh *mesh, sil_pose *pose, const sil_view *view, unsigned kinds, sil_edge *edges,
+                           size_t capacity) {
+    sil_i_signs signs;
+    unsigned char candidate[SIL_I_BLOCK];
+    size_t first, i, count = 0;
+    if (!mesh || (pose && pose->mesh != mesh))
+        return 0;
+    memset(&signs, 0, sizeof signs);
+    signs.mesh = mesh;
+    signs.shape = sil_i_shape_of(mesh, pose);
+    if (view) {
+        signs.in_view = 1;
+        sil_i_eye_make(&signs.eye, view, signs.shape);
+        if (pose) {
+            sil_i_front_all(mesh, signs.shape, &signs.eye, pose->front);
+            sil_i_clear_bad_faces(mesh, signs.shape, pose->front);
+            signs.front = pose->front;
+        }
+    }
+    for (first = 0; first < mesh->edge_count; first += SIL_I_BLOCK) {
+        sil_i_candidates(&signs, first, kinds, candidate);
+        for (i = 0; i < SIL_I_BLOCK; ++i) {
+            uint32_t face[2];
+            unsigned found;
+            uint64_t eight;
+            if (i % 8 == 0) {
+                memcpy(&eight, candidate + i, sizeof eight);
+                if (!eight) {
+                    i += 7;
+                    continue;
+                }
+            }
+            if (!candidate[i] || sil_i_edge_is_bad(&signs, (uint32_t)(first + i)))
+                continue;
+            found = sil_i_classify(&signs, (uint32_t)(first + i), face);
+            if (!(found & kinds))
+                continue;
+            if (edges && count < capacity)
+                sil_i_write_edge(&signs, (uint32_t)(first + i), found, face, &edges[count]);
+            ++count;
+        }
+    }
+    return count;
+}
+
+/* ---- chains ---- */
+
+/* An end of an edge in a set: 2 * (place in rising order) + 0 for the end a, 1 for the end b. */
+typedef struct sil_i_chains {
+    const sil_mesh *mesh;
+    const sil_edge *edges;
+    size_t count;    /* edges without repetition */
+    uint64_t *keys;  /* (edge << 32 | index), then (vertex << 32 | end) */
+    uint32_t *order; /* place -> index in edges */
+    uint32_t *table; /* edge -> place, open-addressed */
+    size_t table_size;
+    uint32_t *link; /* end -> the end that it goes on with, or SIL_NONE */
+    unsigned char *done;
+} sil_i_chains;
+
+static void sil_i_sift(uint64_t *keys, size_t at, size_t count) {
+    const uint64_t key = keys[at];
+    size_t child;
+    while ((child = 2 * at + 1) < count) {
+        if (child + 1 < count && keys[child + 1] > keys[child])
+            ++child;
+        if (keys[child] <= key)
+            break;
+        keys[at] = keys[child];
+        at = child;
+    }
+    keys[at] = key;
+}
+
+static void sil_i_sort_keys(uint64_t *keys, size_t count) {
+    size_t i;
+    for (i = 1; i < count && keys[i - 1] <= keys[i]; ++i)
+        ;
+    if (i >= count)
+        return; /* sil_extract's order */
+    for (i = count / 2; i-- > 0;)
+        sil_i_sift(keys, i, count);
+    for (i = count; i-- > 1;) {
+        const uint64_t top = keys[0];
+        keys[0] = keys[i];
+        keys[i] = top;
+        sil_i_sift(keys, 0, i);
+    }
+}
+
+static size_t sil_i_chain_size(size_t edges) {
+    return edges * (2 * sizeof(uint64_t) + sizeof(uint32_t) * 3 + 1) + sil_i_table_size(edges) * sizeof(uint32_t);
+}
+
+/* Memory for one call: the pose's, made larger where it is too small, or without a pose new. */
+static void *sil_i_scratch(const sil_mesh *mesh, sil_pose *pose, size_t size) {
+    void *memory;
+    if (pose && pose->scratch_size >= size)
+        return pose->scratch;
+    memory = mesh->allocator.alloc_fn(size, mesh->allocator.user);
+    if (memory && pose) {
+        sil_i_give(&mesh->allocator, pose->scratch);
+        pose->scratch = memory;
+        pose->scratch_size = size;
+    }
+    return memory;
+}
+
+SIL_DEF sil_result sil_pose_reserve(sil_pose *pose, size_t edge_count) {
+    if (!pose)
+        return SIL_INVALID_ARGUMENT;
+    if (edge_count > pose->mesh->edge_count)
+        edge_count = pose->mesh->edge_count;
+    return sil_i_scratch(pose->mesh, pose, sil_i_chain_size(edge_count) + 1) ? SIL_OK : SIL_OUT_OF_MEMORY;
+}
+
+/* Shares out the scratch memory and fills order and table: edges by rising index, each once. */
+static void sil_i_chains_begin(sil_i_chains *c, size_t count, void *memory) {
+    size_t i, at;
+    c->table_size = sil_i_table_size(count);
+    c->keys = (uint64_t *)memory;
+    c->table = (uint32_t *)(void *)(c->keys + 2 * count);
+    c->order = c->table + c->table_size;
+    c->link = c->order + count;
+    c->done = (unsigned char *)(void *)(c->link + 2 * count);
+    for (i = 0, at = 0; i < count; ++i)
+        if (c->edges[i].edge < c->mesh->edge_count)
+            c->keys[at++] = (uint64_t)c->edges[i].edge << 32 | i;
+    sil_i_sort_keys(c->keys, at);
+    for (i = 0, c->count = 0; i < at; ++i)
+        if (i == 0 || c->keys[i] >> 32 != c->keys[i - 1] >> 32)
+            c->order[c->count++] = (uint32_t)(c->keys[i] & 0xffffffffu);
+    memset(c->table, 0xff, c->table_size * sizeof(uint32_t));
+    memset(c->link, 0xff, 2 * c->count * sizeof(uint32_t));
+    memset(c->done, 0, c->count);
+    for (i = 0; i < c->count; ++i) {
+        size_t slot = sil_i_hash(c->edges[c->order[i]].edge, 0, 0) & (c->table_size - 1);
+        while (c->table[slot] != SIL_NONE)
+            slot = (slot + 1) & (c->table_size - 1);
+        c->table[slot] = (uint32_t)i;
+    }
+}
+
+static const sil_edge *sil_i_place(const sil_i_chains *c, uint32_t place) {
+    return &c->edges[c->order[place]];
+}
+
+static uint32_t sil_i_find_place(const sil_i_chains *c, uint32_t edge) {
+    size_t slot = sil_i_hash(edge, 0, 0) & (c->table_size - 1);
+    while (c->table[slot] != SIL_NONE) {
+        if (sil_i_place(c, c->table[slot])->edge == edge)
+            return c->table[slot];
+        slot = (slot + 1) & (c->table_size - 1);
+    }
+    return SIL_NONE;
+}
+
+/* The welded vertex at an end. Only the edge's own vertices are believed, whatever a and b are. */
+static uint32_t sil_i_end_vertex(const sil_i_chains *c, uint32_t end) {
+    const sil_edge *edge = sil_i_place(c, end / 2);
+    const uint32_t *v = c->mesh->edge_vertex + 2 * (size_t)edge->edge;
+    const int reversed = edge->a == c->mesh->origin[v[1]];
+    return v[(end & 1) != (uint32_t)reversed];
+}
+
+static uint32_t sil_i_front_face(const sil_i_chains *c, uint32_t place) {
+    const sil_edge *edge = sil_i_place(c, place);
+    const uint32_t f0 = c->mesh->edge_face[0][edge->edge], f1 = c->mesh->edge_face[1][edge->edge];
+    return c->mesh->source[f1] == edge->face[0] ? f1 : f0;
+}
+
+/* From an end of a silhouette through the front faces around the vertex to the next silhouette of the set, which must
+   see the last of these faces as its own front. The way back is the same, so that links are mutual. */
+static uint32_t sil_i_turn(const sil_i_chains *c, uint32_t end) {
+    const sil_mesh *mesh = c->mesh;
+    const uint32_t vertex = sil_i_end_vertex(c, end), start = sil_i_place(c, end / 2)->edge;
+    uint32_t edge = start, face = sil_i_front_face(c, end / 2);
+    while (face != SIL_NONE) {
+        uint32_t i, next = SIL_NONE, place;
+        for (i = 0; i < 3; ++i) {
+            const uint32_t e = mesh->face_edge[3 * (size_t)face + i];
+            const uint32_t *v = mesh->edge_vertex + 2 * (size_t)e;
+            if (e != edge && (v[0] == vertex || v[1] == vertex))
+                next = e;
+        }
+        if (next == SIL_NONE || next == start)
+            return SIL_NONE;
+        place = sil_i_find_place(c, next);
+        if (place != SIL_NONE && sil_i_place(c, place)->kinds == SIL_SILHOUETTE) {
+            if (sil_i_front_face(c, place) != face)
+                return SIL_NONE;
+            return 2 * place + (sil_i_end_vertex(c, 2 * place) != vertex);
+        }
+        edge = next;
+        face = sil_i_across(mesh, edge, face);
+    }
+    return SIL_NONE;
+}
+
+/* Links the two ends among keys[0 .. count - 1], all at one vertex, that are the only ones of these kinds. */
+static void sil_i_link_kind(const sil_i_chains *c, const uint64_t *keys, size_t count, uint32_t kinds) {
+    uint32_t found[2] = {0, 0};
+    size_t i, matches = 0;
+    for (i = 0; i < count; ++i) {
+        const uint32_t end = (uint32_t)(keys[i] & 0xffffffffu);
+        if (sil_i_place(c, end / 2)->kinds != kinds)
+            continue;
+        if (matches < 2)
+            found[matches] = end;
+        ++matches;
+    }
+    if (matches == 2) {
+        c->link[found[0]] = found[1];
+        c->link[found[1]] = found[0];
+    }
+}
+
+/* Links the ends that are left, where exactly two of the same kinds meet at a vertex. */
+static void sil_i_link_pairs(const sil_i_chains *c) {
+    size_t i, j, k, left = 0;
+    for (i = 0; i < 2 * c->count; ++i)
+        if (c->link[i] == SIL_NONE)
+            c->keys[left++] = (uint64_t)sil_i_end_vertex(c, (uint32_t)i) << 32 | i;
+    sil_i_sort_keys(c->keys, left);
+    for (i = 0; i < left; i = j) {
+        uint32_t seen = 0; /* kinds below 16 that were looked at; a bit each */
+        for (j = i; j < left && c->keys[j] >> 32 == c->keys[i] >> 32; ++j)
+            ;
+        for (k = i; k < j; ++k) {
+            const uint32_t kinds = sil_i_place(c, (uint32_t)(c->keys[k] & 0xffffffffu) / 2)->kinds;
+            if (kinds < 16 && !(seen >> kinds & 1)) {
+                seen |= 1u << kinds;
+                sil_i_link_kind(c, c->keys + i, j - i, kinds);
+            }
+        }
+    }
+}
+
+static void sil_i_link_turns(const sil_i_chains *c) {
+    uint32_t i;
+    for (i = 0; i < 2 * c->count; ++i)
+        if (c->link[i] == SIL_NONE && sil_i_place(c, i / 2)->kinds == SIL_SILHOUETTE) {
+            const uint32_t other = sil_i_turn(c, i);
+            if (other != SIL_NONE && other != i && c->link[other] == SIL_NONE) {
+                c->link[i] = other;
+                c->link[other] = i;
+            }
+        }
+}
+
+typedef struct sil_i_strip_out {
+    sil_strip *strips;
+    size_t strip_capacity, strip_count;
+    uint32_t *vertices;
+    size_t vertex_capacity, vertex_count;
+} sil_i_strip_out;
+
+static void sil_i_write_vertex(const sil_i_chains *c, sil_i_strip_out *out, uint32_t end) {
+    if (out->vertices && out->vertex_count < out->vertex_capacity)
+        out->vertices[out->vertex_count] = c->mesh->origin[sil_i_end_vertex(c, end)];
+    ++out->vertex_count;
+}
+
+/* The strip that an edge is in: back from its end a to where the strip begins, then forward to where it ends. */
+static void sil_i_write_strip(const sil_i_chains *c, sil_i_strip_out *out, uint32_t place) {
+    const size_t first = out->vertex_count;
+    uint32_t begin = 2 * place, end;
+    int closed = 0;
+    while (c->link[begin] != SIL_NONE && !closed) {
+        begin = c->link[begin] ^ 1u;
+        closed = begin == 2 * place;
+    }
+    sil_i_write_vertex(c, out, begin);
+    end = begin;
+    do {
+        c->done[end / 2] = 1;
+        sil_i_write_vertex(c, out, end ^ 1u);
+        end = c->link[end ^ 1u];
+    } while (end != SIL_NONE && end != begin);
+    if (out->strips && out->strip_count < out->strip_capacity) {
+        sil_strip *strip = &out->strips[out->strip_count];
+        strip->first = (uint32_t)first;
+        strip->count = (uint32_t)(out->vertex_count - first);
+        strip->id = sil_i_place(c, place)->edge;
+        strip->kinds = sil_i_place(c, place)->kinds;
+        strip->closed = (uint32_t)closed;
+    }
+    ++out->strip_count;
+}
+
+SIL_DEF size_t sil_chain(const sil_mesh *mesh, sil_pose *pose, const sil_edge *edges, size_t edge_count,
+                         sil_strip *strips, size_t strip_capacity, uint32_t *vertices, size_t vertex_capacity,
+                         size_t *vertices_needed) {
+    sil_i_chains c;
+    sil_i_strip_out out;
+    void *memory;
+    uint32_t i;
+    memset(&out, 0, sizeof out);
+    out.strips = strips;
+    out.strip_capacity = strip_capacity;
+    out.vertices = vertices;
+    out.vertex_capacity = vertex_capacity;
+    if (vertices_needed)
+        *vertices_needed = 0;
+    if (!mesh || !edges || !edge_count || (pose && pose->mesh != mesh))
+        return 0;
+    memory = edge_count < 0x40000000u ? sil_i_scratch(mesh, pose, sil_i_chain_size(edge_count)) : NULL;
+    if (!memory) {
+        if (vertices_needed)
+            *vertices_needed = (size_t)-1;
+        return 0;
+    }
+    memset(&c, 0, sizeof c);
+    c.mesh = mesh;
+    c.edges = edges;
+    sil_i_chains_begin(&c, edge_count, memory);
+    sil_i_link_turns(&c);
+    sil_i_link_pairs(&c);
+    for (i = 0; i < c.count; ++i)
+        if (!c.done[i])
+            sil_i_write_strip(&c, &out, i);
+    if (!pose)
+        sil_i_give(&mesh->allocator, memory);
+    if (vertices_needed)
+        *vertices_needed = out.vertex_count;
+    return out.strip_count;
+}
+
+/* ---- distances ---- */
+
+/* Segments for the inner loop, one array a coordinate: both ends, and 1 / length^2 or 0. */
+typedef struct sil_i_segments {
+    int endless; /* q is then the direction */
+    float px[SIL_I_BLOCK], py[SIL_I_BLOCK], pz[SIL_I_BLOCK];
+    float qx[SIL_I_BLOCK], qy[SIL_I_BLOCK], qz[SIL_I_BLOCK];
+    float inverse[SIL_I_BLOCK];
+    uint32_t index[SIL_I_BLOCK]; /* in the caller's array */
+    size_t count;
+} sil_i_segments;
+
+/* The mesh's coordinates to the world's, about the box's centre and divided by its size there, so that neither an
+   offset nor a scale costs precision or range. */
+typedef struct sil_i_frame {
+    double model[9], center[3], scale;
+    const sil_i_shape *shape;
+} sil_i_frame;
+
+/* 0 where the matrix is not finite. NULL or all zero is the identity. */
+static int sil_i_frame_make(sil_i_frame *frame, const sil_i_shape *shape, const float *model) {
+    int i, k, zero = 1;
+    double size = 0;
+    memset(frame, 0, sizeof *frame);
+    frame->shape = shape;
+    for (i = 0; model && i < 9; ++i)
+        zero &= (sil_i_float_bits(model[i]) & 0x7fffffffu) == 0;
+    if (!zero && !sil_i_all_finite(model, 9))
+        return 0;
+    for (i = 0; i < 9; ++i)
+        frame->model[i] = zero ? i % 4 == 0 : (double)model[i];
+    for (i = 0; i < 3; ++i) {
+        double row = 0;
+        frame->center[i] = shape->center[i];
+        for (k = 0; k < 3; ++k)
+            row += sil_i_abs(frame->model[3 * k + i]) * (shape->high[k] - shape->low[k]);
+        size = sil_i_larger(size, row);
+    }
+    (void)frexp(size, &i);
+    frame->scale = size > 0 ? sil_i_scaled(1, i) : 1;
+    return 1;
+}
+
+static void sil_i_to_frame(const sil_i_frame *frame, uint32_t vertex, double out[3]) {
+    const float *p = frame->shape->position + 3 * (size_t)vertex;
+    int i, k;
+    for (i = 0; i < 3; ++i) {
+        out[i] = 0;
+        for (k = 0; k < 3; ++k)
+            out[i] += frame->model[3 * k + i] * ((double)p[k] - frame->center[k]);
+        out[i] /= frame->scale;
+    }
+}
+
+/* The next block of edges, from edges[*next]; the rest of a last block repeats its last segment. */
+static void sil_i_load_segments(const sil_mesh *mesh, const sil_i_frame *frame, const sil_edge *edges,
+                                size_t edge_count, size_t *next, sil_i_segments *s) {
+    size_t n = 0;
+    int k;
+    for (; *next < edge_count && n < SIL_I_BLOCK; ++*next) {
+        const uint32_t edge = edges[*next].edge;
+        const uint32_t *v = edge < mesh->edge_count ? mesh->edge_vertex + 2 * (size_t)edge : NULL;
+        double p[3], q[3], square;
+        if (!v || frame->shape->bad[v[0]] || frame->shape->bad[v[1]])
+            continue;
+        sil_i_to_frame(frame, v[0], p);
+        sil_i_to_frame(frame, v[1], q);
+        square = (q[0] - p[0]) * (q[0] - p[0]) + (q[1] - p[1]) * (q[1] - p[1]) + (q[2] - p[2]) * (q[2] - p[2]);
+        for (k = 0; k < 3 && s->endless; ++k)
+            q[k] = square > 1e-30 ? (q[k] - p[k]) / sqrt(square) : 0;
+        s->px[n] = (float)p[0];
+        s->py[n] = (float)p[1];
+        s->pz[n] = (float)p[2];
+        s->qx[n] = (float)q[0];
+        s->qy[n] = (float)q[1];
+        s->qz[n] = (float)q[2];
+        s->inverse[n] = square > 1e-30 ? (float)(1 / square) : 0; /* shorter than 1e-15 of the mesh: a point */
+        s->index[n++] = (uint32_t)*next;
+    }
+    s->count = n;
+    for (; n && n < SIL_I_BLOCK; ++n) {
+        s->px[n] = s->px[n - 1];
+        s->py[n] = s->py[n - 1];
+        s->pz[n] = s->pz[n - 1];
+        s->qx[n] = s->qx[n - 1];
+        s->qy[n] = s->qy[n - 1];
+        s->qz[n] = s->qz[n - 1];
+        s->inverse[n] = s->inverse[n - 1];
+        s->index[n] = s->index[n - 1];
+    }
+}
+
+/* Squared distances of one point to a block. The foot is (1 - t) * p + t * q relative to the point, which is exactly p
+   or q at the ends: segments that share an end where it is the nearest point then tie exactly. */
+static void sil_i_squares(const sil_i_segments *s, const float v[3], float square[SIL_I_BLOCK]) {
+    const float x = v[0], y = v[1], z = v[2];
+    size_t i;
+    for (i = 0; i < SIL_I_BLOCK; ++i) {
+        const float px = s->px[i] - x, py = s->py[i] - y, pz = s->pz[i] - z;
+        const float qx = s->qx[i] - x, qy = s->qy[i] - y, qz = s->qz[i] - z;
+        const float ex = s->qx[i] - s->px[i], ey = s->qy[i] - s->py[i], ez = s->qz[i] - s->pz[i];
+        const float end = qx * qx + qy * qy + qz * qz;
+        float t = -(px * ex + py * ey + pz * ez) * s->inverse[i], rx, ry, rz, foot;
+        t = t > 0 ? t : 0;
+        t = t < 1 ? t : 1;
+        rx = (1 - t) * px + t * qx;
+        ry = (1 - t) * py + t * qy;
+        rz = (1 - t) * pz + t * qz;
+        foot = rx * rx + ry * ry + rz * rz;
+        square[i] = end < foot ? end : foot; /* exactly 0 at both ends, though t is rounded */
+    }
+}
+
+/* The same for endless lines: q is the direction, a unit vector or zero. */
+static void sil_i_squares_endless(const sil_i_segments *s, const float v[3], float square[SIL_I_BLOCK]) {
+    const float x = v[0], y = v[1], z = v[2];
+    size_t i;
+    for (i = 0; i < SIL_I_BLOCK; ++i) {
+        const float px = s->px[i] - x, py = s->py[i] - y, pz = s->pz[i] - z;
+        const float t = px * s->qx[i] + py * s->qy[i] + pz * s->qz[i];
+        const float rx = px - t * s->qx[i], ry = py - t * s->qy[i], rz = pz - t * s->qz[i];
+        square[i] = rx * rx + ry * ry + rz * rz;
+    }
+}
+
+static float sil_i_least(const float square[SIL_I_BLOCK]) {
+    float lane[8];
+    size_t i, k;
+    memcpy(lane, square, sizeof lane);
+    for (i = 8; i < SIL_I_BLOCK; i += 8)
+        for (k = 0; k < 8; ++k)
+            lane[k] = square[i + k] < lane[k] ? square[i + k] : lane[k];
+    for (k = 1; k < 8; ++k)
+        lane[0] = lane[k] < lane[0] ? lane[k] : lane[0];
+    return lane[0];
+}
+
+/* Takes what a block improves at one vertex. `held` is the nearest edge so far, in the caller's array. */
+static void sil_i_improve(const sil_i_segments *s, const sil_edge *edges, const float square[SIL_I_BLOCK], float *best,
+                          uint32_t *held) {
+    const float least = sil_i_least(square);
+    size_t i;
+    if (least > *best)
+        return;
+    if (held)
+        for (i = 0; i < s->count; ++i)
+            if (square[i] <= least &&
+                (*held == SIL_NONE || least < *best || edges[s->index[i]].edge < edges[*held].edge)) {
+                *held = s->index[i];
+                *best = least;
+            }
+    *best = least;
+}
+
+SIL_DEF sil_result sil_distances(const sil_mesh *mesh, const sil_pose *pose, const sil_edge *edges, size_t edge_count,
+                                 const sil_distance_desc *desc, size_t first_vertex, size_t vertex_count,
+                                 float *distances, uint32_t *nearest) {
+    sil_i_frame frame;
+    sil_i_segments segments;
+    size_t i, next = 0;
+    if (!mesh || (pose && pose->mesh != mesh) || (!edges && edge_count) || edge_count >= SIL_NONE ||
+        first_vertex > mesh->vertex_count || vertex_count > mesh->vertex_count - first_vertex ||
+        (!distances && vertex_count) ||
+        !sil_i_frame_make(&frame, sil_i_shape_of(mesh, pose), desc ? desc->model : NULL))
+        return SIL_INVALID_ARGUMENT;
+    segments.endless = desc && desc->flags & SIL_DISTANCE_INFINITE_LINE;
+    for (i = 0; i < vertex_count; ++i) {
+        distances[i] = sil_i_infinity();
+        if (nearest)
+            nearest[i] = SIL_NONE;
+    }
+    while (next < edge_count) {
+        sil_i_load_segments(mesh, &frame, edges, edge_count, &next, &segments);
+        for (i = 0; i < vertex_count && segments.count; ++i) {
+            const uint32_t vertex = mesh->welded[first_vertex + i];
+            float square[SIL_I_BLOCK], v[3];
+            double p[3];
+            int k;
+            if (frame.shape->bad[vertex])
+                continue;
+            sil_i_to_frame(&frame, vertex, p);
+            for (k = 0; k < 3; ++k)
+                v[k] = (float)p[k];
+            if (segments.endless)
+                sil_i_squares_endless(&segments, v, square);
+            else
+                sil_i_squares(&segments, v, square);
+            sil_i_improve(&segments, edges, square, &distances[i], nearest ? &nearest[i] : NULL);
+        }
+    }
+    for (i = 0; i < vertex_count; ++i)
+        if (sil_i_finite(distances[i]))
+            distances[i] = (float)(sqrt((double)distances[i]) * frame.scale);
+    return SIL_OK;
+}
+
+SIL_DEF float sil_max_distance(const sil_mesh *mesh, const sil_pose *pose, const float model[9]) {
+    sil_i_frame frame;
+    double largest = 0;
+    size_t i;
+    if (!mesh || (pose && pose->mesh != mesh) || !sil_i_frame_make(&frame, sil_i_shape_of(mesh, pose), model))
+        return 0;
+    for (i = 0; i < mesh->unique_count; ++i) {
+        double p[3];
+        if (!mesh->referenced[i] || frame.shape->bad[i])
+            continue;
+        sil_i_to_frame(&frame, (uint32_t)i, p);
+        largest = sil_i_larger(largest, p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
+    }
+    return (float)(sqrt(largest) * frame.scale);
+}
+
+/* ---- ribbons ---- */
+
+/* Where a point is drawn. */
+typedef struct sil_i_spot {
+    double x, y, depth, slack, arc;
+} sil_i_spot;
+
+typedef struct sil_i_pen {
+    const sil_mesh *mesh;
+    const sil_i_shape *shape;
+    double model_view[16], projection[16];
+    double width, height;    /* viewport */
+    double half;             /* of the strip's width */
+    double step;             /* largest angle of one part of a round cap or join */
+    double low;              /* clip z >= low * w: -1 or 0 */
+    double guard_x, guard_y; /* |clip x| <= guard_x * w */
+    sil_cap cap;
+    sil_join join;
+    uint32_t kinds;
+    double arc;          /* so far along the strip, unclipped */
+    sil_i_spot last;     /* where the pen is */
+    double direction[2]; /* of the segment before */
+    int down;            /* a segment ended at `last` */
+    int started;         /* something of the strip was drawn */
+    int dotted;          /* something of it was to be drawn that has no length, at `dot` */
+    sil_i_spot dot;
+    int joins_start; /* the first segment began uncut in a closed strip: the cap there waits for the end */
+    sil_i_spot start;
+    double start_direction[2];
+    sil_ribbon_vertex *out;
+    size_t capacity, count;
+} sil_i_pen;
+
+/* One corner: an offset from a spot on the centre line. */
+static void sil_i_pen_vertex(sil_i_pen *pen, const sil_i_spot *spot, double dx, double dy, double arc, size_t at) {
+    sil_ribbon_vertex *v = &pen->out[at];
+    v->x = (float)(spot->x + dx);
+    v->y = (float)(spot->y + dy);
+    v->depth = (float)spot->depth;
+    v->slack = (float)spot->slack;
+    v->center_x = (float)spot->x;
+    v->center_y = (float)spot->y;
+    v->arc = (float)arc;
+    v->kinds = pen->kinds;
+}
+
+/* A triangle with corners at three spots, offset by o[0..1], o[2..3], o[4..5]. */
+static void sil_i_pen_triangle(sil_i_pen *pen, const sil_i_spot *a, const sil_i_spot *b, const sil_i_spot *c,
+                               const double o[6]) {
+    if (pen->out && pen->capacity >= 3 && pen->count <= pen->capacity - 3) {
+        sil_i_pen_vertex(pen, a, o[0], o[1], a->arc, pen->count);
+        sil_i_pen_vertex(pen, b, o[2], o[3], b->arc, pen->count + 1);
+        sil_i_pen_vertex(pen, c, o[4], o[5], c->arc, pen->count + 2);
+    }
+    pen->count += 3;
+}
+
+/* A fan about a spot from the offset n by an angle (positive: counter-clockwise), in `parts` parts. */
+static void sil_i_pen_fan(sil_i_pen *pen, const sil_i_spot *spot, const double n[2], double angle, int parts) {
+    const double cosine = cos(angle / parts), sine = sin(angle / parts);
+    double o[6] = {0, 0, 0, 0, 0, 0};
+    int i;
+    o[2] = n[0];
+    o[3] = n[1];
+    for (i = 0; i < parts; ++i) {
+        o[4] = o[2] * cosine - o[3] * sine;
+        o[5] = o[2] * sine + o[3] * cosine;
+        sil_i_pen_triangle(pen, spot, spot, spot, o);
+        o[2] = o[4];
+        o[3] = o[5];
+    }
+}
+
+static int sil_i_pen_parts(const sil_i_pen *pen, double angle) {
+    const int parts = (int)ceil(sil_i_abs(angle) / pen->step);
+    return parts < 1 ? 1 : parts;
+}
+
+static void sil_i_pen_cap(sil_i_pen *pen, const sil_i_spot *spot, double dx, double dy) {
+    const double n[2] = {dy * pen->half, -dx * pen->half}; /* to the right of the way out */
+    if (pen->cap == SIL_CAP_ROUND)
+        sil_i_pen_fan(pen, spot, n, SIL_I_PI, sil_i_pen_parts(pen, SIL_I_PI));
+    if (pen->cap == SIL_CAP_SQUARE) {
+        const double x = dx * pen->half, y = dy * pen->half;
+        double o[6];
+        o[0] = n[0];
+        o[1] = n[1];
+        o[2] = n[0] + x;
+        o[3] = n[1] + y;
+        o[4] = x - n[0];
+        o[5] = y - n[1];
+        sil_i_pen_triangle(pen, spot, spot, spot, o);
+        o[2] = o[4];
+        o[3] = o[5];
+        o[4] = -n[0];
+        o[5] = -n[1];
+        sil_i_pen_triangle(pen, spot, spot, spot, o);
+    }
+}
+
+/* The wedge on the outer side of a turn. */
+static void sil_i_pen_join(sil_i_pen *pen, const sil_i_spot *spot, const double from[2], const double to[2]) {
+    const double cross = from[0] * to[1] - from[1] * to[0], dot = from[0] * to[0] + from[1] * to[1];
+    const double angle = atan2(cross, dot), side = angle > 0 ? 1 : -1; /* a line that turns back: either */
+    const double n[2] = {side * from[1] * pen->half, -side * from[0] * pen->half};
+    if (pen->join == SIL_JOIN_NONE || sil_i_abs(angle) * pen->half < 1e-4)
+        return;
+    if (pen->join == SIL_JOIN_ROUND)
+        sil_i_pen_fan(pen, spot, n, angle, sil_i_pen_parts(pen, angle));
+    else {
+        double o[6] = {0, 0, 0, 0, 0, 0};
+        o[2] = n[0];
+        o[3] = n[1];
+        o[4] = side * to[1] * pen->half;
+        o[5] = -side * to[0] * pen->half;
+        sil_i_pen_triangle(pen, spot, spot, spot, o);
+    }
+}
+
+static void sil_i_pen_quad(sil_i_pen *pen, const sil_i_spot *a, const sil_i_spot *b, const double d[2]) {
+    const double x = -d[1] * pen->half, y = d[0] * pen->half;
+    double o[6];
+    o[0] = x;
+    o[1] = y;
+    o[2] = -x;
+    o[3] = -y;
+    o[4] = x;
+    o[5] = y;
+    sil_i_pen_triangle(pen, a, a, b, o);
+    o[0] = -x;
+    o[1] = -y;
+    sil_i_pen_triangle(pen, a, b, b, o); /* o[2..3] and o[4..5] as before: right and left at b */
+}
+
+/* Depth per motion of one pixel's size toward the eye. With J the derivative of the place on the screen, in pixels, by
+   the place in eye space: its rows' cross product is the direction along which the place does not change, that is the
+   way to the eye, and its length is pixels of area per area across that way. */
+static double sil_i_slack(const sil_i_pen *pen, const double clip[4]) {
+    const double *p = pen->projection;
+    const double w = clip[3], scale = pen->low < 0 ? 0.5 : 1;
+    double jx[3], jy[3], jz[3], cross[3], area, change = 0;
+    int k;
+    for (k = 0; k < 3; ++k) {
+        jx[k] = 0.5 * pen->width * (p[4 * k] - clip[0] / w * p[4 * k + 3]) / w;
+        jy[k] = 0.5 * pen->height * (p[4 * k + 1] - clip[1] / w * p[4 * k + 3]) / w;
+        jz[k] = scale * (p[4 * k + 2] - clip[2] / w * p[4 * k + 3]) / w;
+    }
+    for (k = 0; k < 3; ++k)
+        cross[k] = jx[(k + 1) % 3] * jy[(k + 2) % 3] - jx[(k + 2) % 3] * jy[(k + 1) % 3];
+    area = sqrt(cross[0] * cross[0] + cross[1] * cross[1] + cross[2] * cross[2]);
+    if (!(area > 0))
+        return 0;
+    for (k = 0; k < 3; ++k)
+        change += jz[k] * (cross[k] / area);
+    return sil_i_abs(change) / sqrt(area);
+}
+
+static void sil_i_screen(const sil_i_pen *pen, const double clip[4], double *x, double *y) {
+    *x = 0.5 * pen->width * (clip[0] / clip[3] + 1);
+    *y = 0.5 * pen->height * (clip[1] / clip[3] + 1);
+}
+
+/* Rounding can leave a cut point outside when a coordinate is many powers of ten larger at the other end. */
+static void sil_i_spot_clamp(const sil_i_pen *pen, sil_i_spot *spot) {
+    const double x = 0.5 * pen->width * (pen->guard_x - 1), y = 0.5 * pen->height * (pen->guard_y - 1);
+    spot->x = spot->x < -x ? -x : spot->x > pen->width + x ? pen->width + x : spot->x;
+    spot->y = spot->y < -y ? -y : spot->y > pen->height + y ? pen->height + y : spot->y;
+}
+
+/* The spot of the point at t between two points in clip space. */
+static sil_i_spot sil_i_spot_at(const sil_i_pen *pen, const double *a, const double *b, double t) {
+    sil_i_spot spot;
+    double clip[4], depth;
+    int k;
+    memset(&spot, 0, sizeof spot);
+    for (k = 0; k < 4; ++k)
+        clip[k] = (1 - t) * a[k] + t * b[k]; /* exactly a and b at 0 and 1 */
+    depth = clip[2] / clip[3];
+    sil_i_screen(pen, clip, &spot.x, &spot.y);
+    depth = pen->low < 0 ? 0.5 * depth + 0.5 : depth;
+    spot.depth = depth < 0 ? 0 : depth > 1 ? 1 : depth;
+    spot.slack = sil_i_slack(pen, clip);
+    return spot;
+}
+
+/* Cuts t[0] .. t[1] to where a quantity that goes from a to b is not negative. 0 where nothing is left. */
+static int sil_i_cut(double a, double b, double t[2]) {
+    if (a < 0 && b < 0)
+        return 0;
+    if (a < 0)
+        t[0] = sil_i_larger(t[0], a / (a - b));
+    if (b < 0) {
+        const double at = a / (a - b);
+        t[1] = at < t[1] ? at : t[1];
+    }
+    return t[0] <= t[1];
+}
+
+/* To the depth range and in front of the eye. */
+static int sil_i_cut_depth(const sil_i_pen *pen, const double *a, const double *b, double t[2]) {
+    const double least = 1e-9 * sil_i_larger(sil_i_abs(a[3]), sil_i_abs(b[3]));
+    return (a[3] > 0 || b[3] > 0) && sil_i_cut(a[3] - least, b[3] - least, t) &&
+           sil_i_cut(a[2] - pen->low * a[3], b[2] - pen->low * b[3], t) && sil_i_cut(a[3] - a[2], b[3] - b[2], t);
+}
+
+/* To the viewport and what is around it. */
+static int sil_i_cut_sides(const sil_i_pen *pen, const double *a, const double *b, double t[2]) {
+    const double gx = pen->guard_x, gy = pen->guard_y;
+    return sil_i_cut(gx * a[3] + a[0], gx * b[3] + b[0], t) && sil_i_cut(gx * a[3] - a[0], gx * b[3] - b[0], t) &&
+           sil_i_cut(gy * a[3] + a[1], gy * b[3] + b[1], t) && sil_i_cut(gy * a[3] - a[1], gy * b[3] - b[1], t);
+}
+
+static void sil_i_pen_lift(sil_i_pen *pen) {
+    if (pen->down)
+        sil_i_pen_cap(pen, &pen->last, pen->direction[0], pen->direction[1]);
+    pen->down = 0;
+}
+
+/* Draws to a spot from where the pen is (down) or from `from`. `keep_cap`: the start of a closed strip. */
+static void sil_i_pen_draw(sil_i_pen *pen, const sil_i_spot *from, const sil_i_spot *to, int keep_cap) {
+    const sil_i_spot start = pen->down ? pen->last : *from;
+    const double dx = to->x - start.x, dy = to->y - start.y, length = sqrt(dx * dx + dy * dy);
+    double d[2];
+    if (length < 1e-4) { /* too short to have a direction: the next segment begins where this one did */
+        pen->dotted = 1;
+        pen->dot = start;
+        return;
+    }
+    d[0] = dx / length;
+    d[1] = dy / length;
+    if (pen->down)
+        sil_i_pen_join(pen, &start, pen->direction, d);
+    else if (keep_cap) {
+        pen->joins_start = 1;
+        pen->start = start;
+        memcpy(pen->start_direction, d, sizeof d);
+    } else
+        sil_i_pen_cap(pen, &start, -d[0], -d[1]);
+    sil_i_pen_quad(pen, &start, to, d);
+    pen->last = *to;
+    memcpy(pen->direction, d, sizeof d);
+    pen->down = pen->started = 1;
+}
+
+/* A strip that is a point on the screen. */
+static void sil_i_pen_dot(sil_i_pen *pen) {
+    const double n[2] = {pen->half, 0};
+    if (pen->cap == SIL_CAP_ROUND)
+        sil_i_pen_fan(pen, &pen->dot, n, 2 * SIL_I_PI, sil_i_pen_parts(pen, 2 * SIL_I_PI));
+    if (pen->cap == SIL_CAP_SQUARE) {
+        sil_i_pen_cap(pen, &pen->dot, 1, 0);
+        sil_i_pen_cap(pen, &pen->dot, -1, 0);
+    }
+}
+
+/* One segment, between two points in clip space. */
+static void sil_i_pen_segment(sil_i_pen *pen, const double *a, const double *b, int keep_cap) {
+    double t[2] = {0, 1}, near_x, near_y, x, y;
+    const double turn = 1048576.0; /* arc starts again there */
+    sil_i_spot from, to;
+    if (!sil_i_cut_depth(pen, a, b, t)) {
+        sil_i_pen_lift(pen);
+        return;
+    }
+    from = sil_i_spot_at(pen, a, b, t[0]);
+    to = sil_i_spot_at(pen, a, b, t[1]);
+    near_x = from.x;
+    near_y = from.y;
+    from.arc = pen->arc;
+    pen->arc += sqrt((to.x - from.x) * (to.x - from.x) + (to.y - from.y) * (to.y - from.y));
+    if (!sil_i_cut_sides(pen, a, b, t)) {
+        sil_i_pen_lift(pen);
+        return;
+    }
+    if (t[0] > 0)
+        sil_i_pen_lift(pen);
+    to = sil_i_spot_at(pen, a, b, t[1]);
+    if (t[0] > 0) {
+        const double before = from.arc;
+        from = sil_i_spot_at(pen, a, b, t[0]);
+        x = from.x - near_x;
+        y = from.y - near_y;
+        from.arc = before + sqrt(x * x + y * y);
+    }
+    sil_i_spot_clamp(pen, &from);
+    sil_i_spot_clamp(pen, &to);
+    from.arc -= turn * floor(from.arc / turn);
+    if (pen->down)
+        pen->last.arc = from.arc;
+    to.arc = from.arc + sqrt((to.x - from.x) * (to.x - from.x) + (to.y - from.y) * (to.y - from.y));
+    sil_i_pen_draw(pen, &from, &to, keep_cap && !(t[0] > 0));
+    if (t[1] < 1)
+        sil_i_pen_lift(pen);
+}
+
+/* The clip coordinates of a vertex of the caller's; 0 where it has none. */
+static int sil_i_project(const sil_i_pen *pen, uint32_t vertex, double clip[4]) {
+    const float *p;
+    double eye[4];
+    int i;
+    if (vertex >= pen->mesh->vertex_count || pen->shape->bad[pen->mesh->welded[vertex]])
+        return 0;
+    p = pen->shape->position + 3 * (size_t)pen->mesh->welded[vertex];
+    for (i = 0; i < 4; ++i)
+        eye[i] = pen->model_view[i] * (double)p[0] + pen->model_view[4 + i] * (double)p[1] +
+                 pen->model_view[8 + i] * (double)p[2] + pen->model_view[12 + i];
+    for (i = 0; i < 4; ++i)
+        clip[i] = pen->projection[i] * eye[0] + pen->projection[4 + i] * eye[1] + pen->projection[8 + i] * eye[2] +
+                  pen->projection[12 + i] * eye[3];
+    return 1;
+}
+
+static void sil_i_pen_strip(sil_i_pen *pen, const sil_strip *strip, const uint32_t *vertices) {
+    double clip[2][4];
+    int known = 0;
+    size_t i;
+    pen->kinds = strip->kinds;
+    pen->arc = 0;
+    pen->down = pen->started = pen->dotted = pen->joins_start = 0;
+    for (i = 0; i < strip->count; ++i) {
+        const int before = known;
+        known = sil_i_project(pen, vertices[strip->first + i], clip[i % 2]);
+        if (known && before)
+            sil_i_pen_segment(pen, clip[(i + 1) % 2], clip[i % 2], strip->closed && i == 1);
+        else
+            sil_i_pen_lift(pen);
+    }
+    if (pen->joins_start && pen->down) {
+        sil_i_pen_join(pen, &pen->last, pen->direction, pen->start_direction);
+        return;
+    }
+    sil_i_pen_lift(pen);
+    if (pen->joins_start)
+        sil_i_pen_cap(pen, &pen->start, -pen->start_direction[0], -pen->start_direction[1]);
+    if (pen->dotted && !pen->started)
+        sil_i_pen_dot(pen);
+}
+
+/* Half the width of a kind of line, and what follows from it. */
+static void sil_i_pen_width(sil_i_pen *pen, const sil_ribbon_desc *desc, uint32_t kinds) {
+    double tolerance = desc->tolerance > 0 ? (double)desc->tolerance : 0.1;
+    double width = desc->width > 0 ? (double)desc->width : 1.5, margin;
+    int k = 0;
+    while (k < 3 && !(kinds >> k & 1))
+        ++k;
+    if (desc->width_scale[k] > 0)
+        width *= (double)desc->width_scale[k];
+    width = width > 4096 ? 4096 : width;
+    tolerance = tolerance < 1.0 / 64 ? 1.0 / 64 : tolerance;
+    pen->half = 0.5 * width;
+    pen->step = tolerance < 0.29 * pen->half ? 2 * acos(1 - tolerance / pen->half) : 0.5 * SIL_I_PI;
+    margin = width + 2;
+    pen->guard_x = 1 + 2 * margin / pen->width;
+    pen->guard_y = 1 + 2 * margin / pen->height;
+}
+
+static int sil_i_ribbon_desc_ok(const sil_ribbon_desc *desc) {
+    return sil_i_all_finite(desc->model_view, 16) && sil_i_all_finite(desc->projection, 16) &&
+           sil_i_finite(desc->viewport_width) && sil_i_finite(desc->viewport_height) && sil_i_finite(desc->width) &&
+           sil_i_finite(desc->tolerance) && sil_i_all_finite(desc->width_scale, 4) && desc->viewport_width > 0 &&
+           desc->viewport_height > 0;
+}
+
+SIL_DEF size_t sil_ribbons(const sil_mesh *mesh, const sil_pose *pose, const sil_strip *strips, size_t strip_count,
+                           const uint32_t *vertices, const sil_ribbon_desc *desc, sil_ribbon_vertex *out,
+                           size_t capacity) {
+    sil_i_pen pen;
+    size_t i;
+    if (!mesh || (pose && pose->mesh != mesh) || !strips || !vertices || !desc || !sil_i_ribbon_desc_ok(desc))
+        return 0;
+    memset(&pen, 0, sizeof pen);
+    pen.mesh = mesh;
+    pen.shape = sil_i_shape_of(mesh, pose);
+    sil_i_widen(desc->model_view, pen.model_view, 16);
+    sil_i_widen(desc->projection, pen.projection, 16);
+    pen.width = (double)desc->viewport_width;
+    pen.height = (double)desc->viewport_height;
+    pen.low = desc->flags & SIL_RIBBON_ZERO_TO_ONE ? 0 : -1;
+    pen.cap = desc->cap;
+    pen.join = desc->join;
+    pen.out = out;
+    pen.capacity = capacity;
+    for (i = 0; i < strip_count; ++i) {
+        sil_i_pen_width(&pen, desc, strips[i].kinds);
+        sil_i_pen_strip(&pen, &strips[i], vertices);
+    }
+    return pen.count;
+}
+
+#endif /* SILHOUETTE_IMPLEMENTATION_ONCE */
+#endif /* SILHOUETTE_IMPLEMENTATION */
+
+/*
+MIT License
+
+Copyright (c) 2026 the Glassine authors
+
+Permission is hereby granted, free of charge, to any person obtaining a copy of this software and associated
+documentation files (the "Software"), to deal in the Software without restriction, including without limitation the
+rights to use, copy, modify, merge, publish, distribute, sublicense, and/or sell copies of the Software, and to permit
+persons to whom the Software is furnished to do so, subject to the following conditions:
+
+The above copyright notice and this permission notice shall be included in all copies or substantial portions of the
+Software.
+
+THE SOFTWARE IS PROVIDED "AS IS", WITHOUT WARRANTY OF ANY KIND, EXPRESS OR IMPLIED, INCLUDING BUT NOT LIMITED TO THE
+WARRANTIES OF MERCHANTABILITY, FITNESS FOR A PARTICULAR PURPOSE AND NONINFRINGEMENT. IN NO EVENT SHALL THE AUTHORS OR
+COPYRIGHT HOLDERS BE LIABLE FOR ANY CLAIM, DAMAGES OR OTHER LIABILITY, WHETHER IN AN ACTION OF CONTRACT, TORT OR
+OTHERWISE, ARISING FROM, OUT OF OR IN CONNECTION WITH THE SOFTWARE OR THE USE OR OTHER DEALINGS IN THE SOFTWARE.
+*/

@@ -1,0 +1,272 @@
+/* Structured random input for every function of silhouette.h: hostile meshes, poses, views, edges and matrices.
+   cc -std=c11 -g -O1 -fsanitize=address,undefined -I. tests/fuzz_silhouette.c -o fuzz -lm && ./fuzz 100000 1
+   clang -g -O1 -fsanitize=fuzzer,address,undefined -DFUZZ_LIBFUZZER -I. tests/fuzz_silhouette.c -o fuzz && ./fuzz
+   Arguments: number of inputs, seed. Every input also checks what must hold whatever the input is. */
+#define SILHOUETTE_IMPLEMENTATION
+#include "silhouette.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Bytes that decide everything; zeros once they are used up. */
+typedef struct source {
+    const unsigned char *data;
+    size_t size, at;
+} source;
+
+static unsigned take(source *s) {
+    return s->at < s->size ? s->data[s->at++] : 0;
+}
+
+static uint32_t take_word(source *s) {
+    uint32_t word = 0;
+    int i;
+    for (i = 0; i < 4; ++i)
+        word = word << 8 | take(s);
+    return word;
+}
+
+static void require(int condition, const char *what) {
+    if (condition)
+        return;
+    fprintf(stderr, "fuzz_silhouette: %s\n", what);
+    abort();
+}
+
+/* Small integers, halves, and now and then any bits at all: NaN, infinities, subnormals, huge values. */
+static float take_float(source *s) {
+    const unsigned kind = take(s);
+    float value;
+    uint32_t bits;
+    if (kind < 150)
+        return (float)((int)(take(s) % 9) - 4);
+    if (kind < 230)
+        return (float)((int)take(s) - 128) / 16;
+    bits = take_word(s);
+    if (kind < 250)
+        bits = (bits & 0x81ffffffu) | 0x3e000000u; /* ordinary magnitudes, all bits of the mantissa */
+    memcpy(&value, &bits, sizeof value);
+    return value;
+}
+
+static double take_double(source *s) {
+    uint64_t bits;
+    double value;
+    if (take(s) < 240)
+        return (double)take_float(s);
+    bits = (uint64_t)take_word(s) << 32 | take_word(s);
+    memcpy(&value, &bits, sizeof value);
+    return value;
+}
+
+enum { MOST_VERTICES = 24, MOST_FACES = 40, MOST_EDGES = 3 * MOST_FACES, MOST_OUT = 4000 };
+
+typedef struct scene {
+    float positions[4 * MOST_VERTICES];
+    uint32_t indices[3 * MOST_FACES];
+    sil_mesh_desc desc;
+} scene;
+
+static void take_scene(source *s, scene *out) {
+    size_t i, faces = take(s) % (MOST_FACES + 1);
+    const size_t vertices = take(s) % (MOST_VERTICES + 1);
+    memset(out, 0, sizeof *out);
+    for (i = 0; i < 4 * vertices; ++i)
+        out->positions[i] = take_float(s);
+    for (i = 0; i < 3 * faces; ++i) {
+        const unsigned v = take(s);
+        out->indices[i] = v == 255 ? take_word(s) : v % (unsigned)(vertices + 1 + (v > 250));
+        if (v < 240 && vertices)
+            out->indices[i] = v % (unsigned)vertices;
+        if (i >= 3 && v % 3 == 0)
+            out->indices[i] = out->indices[i - 3 + v / 3 % 3]; /* neighbours and duplicates */
+    }
+    out->desc.positions = out->positions;
+    out->desc.position_stride = take(s) % 2 ? 16 : 0;
+    out->desc.vertex_count = vertices;
+    out->desc.indices = take(s) % 8 ? out->indices : NULL;
+    out->desc.index_count = out->desc.indices ? 3 * faces + (take(s) > 250) : 0;
+    out->desc.weld_distance = take(s) % 4 ? 0 : take_float(s);
+    out->desc.crease_degrees = take(s) % 4 ? 0 : take_float(s);
+}
+
+static sil_view take_view(source *s) {
+    sil_view view;
+    int i;
+    for (i = 0; i < 3; ++i)
+        view.eye[i] = take_double(s);
+    view.eye[3] = take(s) % 8 ? take(s) % 2 : take_double(s);
+    return view;
+}
+
+static void take_matrix(source *s, float *m, int count, int side) {
+    int i;
+    for (i = 0; i < count; ++i)
+        m[i] = take(s) % 4 ? (float)(i % (side + 1) == 0) : take_float(s);
+}
+
+static int is_finite(float value) {
+    uint32_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    return (bits & 0x7f800000u) != 0x7f800000u;
+}
+
+/* Edges of a closed manifold mesh make closed loops, with and without a pose. */
+static size_t check_extract(const sil_mesh *mesh, sil_pose *pose, const sil_view *view, unsigned kinds,
+                            sil_edge *edges) {
+    static sil_edge other[MOST_EDGES];
+    const sil_mesh_info info = sil_mesh_get_info(mesh);
+    unsigned char odd[MOST_VERTICES];
+    const size_t count = sil_extract(mesh, pose, view, kinds, edges, MOST_EDGES);
+    size_t i;
+    memset(odd, 0, sizeof odd);
+    require(count <= info.edge_count && info.edge_count <= MOST_EDGES, "more edges than there are");
+    for (i = 0; i < count; ++i) {
+        require(edges[i].a < info.vertex_count && edges[i].b < info.vertex_count, "an edge's vertex is out of range");
+        require(edges[i].edge < info.edge_count && (i == 0 || edges[i].edge > edges[i - 1].edge), "edges out of order");
+        require((edges[i].kinds & kinds) != 0 && edges[i].kinds < 16, "a kind that was not asked for");
+        odd[edges[i].a] ^= 1;
+        odd[edges[i].b] ^= 1;
+    }
+    for (i = 0; i < MOST_VERTICES && kinds == SIL_SILHOUETTE && info.closed && !info.nonmanifold_edge_count &&
+                !info.degenerate_face_count && !pose;
+         ++i)
+        require(!odd[i], "a silhouette that is not closed");
+    if (pose && sil_pose_set(pose, NULL, 0) == SIL_OK) {
+        const size_t with = sil_extract(mesh, pose, view, kinds, edges, MOST_EDGES);
+        require(with == sil_extract(mesh, NULL, view, kinds, other, MOST_EDGES), "a pose finds other edges");
+        require(memcmp(edges, other, with * sizeof *edges) == 0, "a pose finds edges that differ");
+        return with;
+    }
+    return count;
+}
+
+static void check_chain(const sil_mesh *mesh, sil_pose *pose, sil_edge *edges, size_t count, source *s) {
+    static sil_strip strips[MOST_EDGES];
+    static uint32_t vertices[2 * MOST_EDGES];
+    static sil_ribbon_vertex out[MOST_OUT];
+    sil_ribbon_desc desc;
+    size_t i, strip_count, needed, total = 0, made;
+    for (i = 0; i < count && take(s) > 200; ++i) { /* hostile edges */
+        edges[i].edge = take_word(s) % 200;
+        edges[i].kinds = take(s);
+        edges[i].face[0] = take(s);
+        edges[i].a = take(s);
+    }
+    strip_count = sil_chain(mesh, pose, edges, count, strips, MOST_EDGES, vertices, 2 * MOST_EDGES, &needed);
+    require(strip_count <= count && needed <= 2 * count, "more strips than edges");
+    for (i = 0; i < strip_count; ++i) {
+        require(strips[i].first == total && strips[i].count >= 2, "strips do not follow each other");
+        total += strips[i].count;
+    }
+    require(total == needed, "vertices are missing");
+    memset(&desc, 0, sizeof desc);
+    take_matrix(s, desc.model_view, 16, 4);
+    take_matrix(s, desc.projection, 16, 4);
+    desc.viewport_width = take(s) % 4 ? 640 : take_float(s);
+    desc.viewport_height = take(s) % 4 ? 480 : take_float(s);
+    desc.width = take(s) % 2 ? 0 : take_float(s);
+    desc.width_scale[take(s) % 4] = take_float(s);
+    desc.tolerance = take(s) % 4 ? 0 : take_float(s);
+    desc.cap = (sil_cap)(take(s) % 3);
+    desc.join = (sil_join)(take(s) % 3);
+    desc.flags = take(s) % 2;
+    made = sil_ribbons(mesh, pose, strips, strip_count, vertices, &desc, out, MOST_OUT);
+    require(made % 3 == 0, "not whole triangles");
+    for (i = 0; i < made && i < MOST_OUT / 3 * 3; ++i) {
+        const float reach_x = desc.viewport_width + 20000, reach_y = desc.viewport_height + 20000;
+        require(out[i].depth >= 0 && out[i].depth <= 1 && out[i].slack >= 0, "depth or slack out of range");
+        require(out[i].x > -reach_x && out[i].x < 2 * reach_x && out[i].y > -reach_y && out[i].y < 2 * reach_y,
+                "far away");
+        require(is_finite(out[i].arc) && out[i].arc >= 0, "arc is not finite");
+    }
+}
+
+static void check_distances(const sil_mesh *mesh, const sil_pose *pose, const sil_edge *edges, size_t count,
+                            source *s) {
+    float distances[MOST_VERTICES];
+    uint32_t nearest[MOST_VERTICES];
+    sil_distance_desc desc;
+    const size_t vertices = sil_mesh_get_info(mesh).vertex_count, first = take(s), some = take(s) % 32;
+    sil_result result;
+    size_t i;
+    memset(&desc, 0, sizeof desc);
+    take_matrix(s, desc.model, 9, 3);
+    desc.flags = take(s) % 2;
+    result = sil_distances(mesh, pose, edges, count, take(s) % 4 ? &desc : NULL, first % (vertices + 1),
+                           first + some <= vertices ? some : 0, distances, nearest);
+    require(result == SIL_OK || result == SIL_INVALID_ARGUMENT, "distances: a strange result");
+    for (i = 0; result == SIL_OK && first + some <= vertices && i < some; ++i) {
+        require(distances[i] >= 0, "a distance is negative or NaN");
+        require(nearest[i] < count || nearest[i] == SIL_NONE, "nearest is out of range");
+    }
+    require(sil_max_distance(mesh, pose, desc.model) >= 0, "the greatest distance is negative or NaN");
+}
+
+static void run_one(const unsigned char *data, size_t size) {
+    static scene input;
+    static sil_edge edges[MOST_EDGES];
+    source s;
+    sil_result result;
+    sil_mesh *mesh;
+    sil_pose *pose;
+    int round;
+    s.data = data;
+    s.size = size;
+    s.at = 0;
+    take_scene(&s, &input);
+    mesh = sil_mesh_create(&input.desc, &result);
+    require((mesh != NULL) == (result == SIL_OK), "a mesh and an error");
+    if (!mesh)
+        return;
+    pose = sil_pose_create(mesh, &result);
+    require(pose != NULL, "no pose");
+    for (round = 0; round < 4; ++round) {
+        sil_view view = take_view(&s);
+        const unsigned kinds = take(&s) % 3 ? SIL_SILHOUETTE : take(&s);
+        float posed[4 * MOST_VERTICES];
+        size_t i, count;
+        if (take(&s) % 4 == 0) {
+            float model_view[16], projection[16];
+            take_matrix(&s, model_view, 16, 4);
+            take_matrix(&s, projection, 16, 4);
+            (void)sil_view_from_matrices(model_view, projection, &view);
+        }
+        if (round % 2)
+            for (i = 0; i < 4 * input.desc.vertex_count; ++i)
+                posed[i] = take_float(&s);
+        if (round % 2)
+            require(sil_pose_set(pose, posed, 16) == SIL_OK, "the pose was not set");
+        count = check_extract(mesh, round ? pose : NULL, take(&s) % 8 ? &view : NULL, kinds, edges);
+        check_distances(mesh, round ? pose : NULL, edges, count, &s);
+        check_chain(mesh, round % 2 ? pose : NULL, edges, count, &s);
+    }
+    sil_pose_destroy(pose);
+    sil_mesh_destroy(mesh);
+}
+
+#ifdef FUZZ_LIBFUZZER
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+    run_one(data, size);
+    return 0;
+}
+#else
+int main(int argc, char **argv) {
+    const unsigned long count = argc > 1 ? strtoul(argv[1], NULL, 10) : 20000;
+    uint64_t state = argc > 2 ? strtoull(argv[2], NULL, 10) : 1;
+    unsigned long n;
+    for (n = 0; n < count; ++n) {
+        unsigned char data[2048];
+        size_t i;
+        for (i = 0; i < sizeof data; ++i) {
+            state = state * 6364136223846793005u + 1442695040888963407u;
+            data[i] = (unsigned char)(state >> 56);
+        }
+        run_one(data, sizeof data);
+    }
+    printf("fuzz_silhouette: %lu inputs\n", count);
+    return 0;
+}
+#endif
