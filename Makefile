@@ -1,0 +1,157 @@
+# Glassine. `make help` lists what there is to make. Everything is built below build/.
+#
+# Variables:  config=release|debug|asan   how things are compiled; release, the default, is built in build/ itself
+#             BENCH=quick                 benchmarks that finish in a minute
+#             FUZZ_RUNS=N                 how many inputs `make fuzz` tries
+#             V=1                         print each command
+#             DEPS=skip                   do not look for missing Debian packages
+#             PREFIX, DESTDIR             where `make install` puts things
+
+config ?= release
+jobs ?= $(shell nproc)
+PREFIX ?= /usr/local
+FUZZ_RUNS ?= 200000
+CC := $(if $(filter default,$(origin CC)),gcc,$(CC))
+
+warnings := -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow -Wdouble-promotion -Wundef -Werror
+flags_release := -O2 -g
+flags_debug := -O0 -g3
+# The sanitizers are clang's, so that both compilers see every file with every warning.
+flags_asan := -O1 -g -fno-omit-frame-pointer -fsanitize=address,undefined -fno-sanitize-recover=all
+override CC := $(if $(filter asan,$(config)),clang,$(CC))
+# Prints what is made and not how; V=1 prints how as well.
+say = $(if $(V),,@echo '  $(1)'; )
+out := build$(if $(filter-out release,$(config)),/$(config))
+flags := -std=c11 $(flags_$(config)) $(warnings) $(CFLAGS)
+includes := -I. -Iexamples -isystem build/glad/include
+# For programs that are compiled and linked in one go; objects need no names.
+depends = -MMD -MP -MT $@ -MF $@.d
+libraries := -Wl,--as-needed -lcmocka -lassimp -lEGL -lm
+ifeq ($(flags_$(config)),)
+$(error config=$(config) is not one of release, debug, asan)
+endif
+
+headers := silhouette.h transparency.h oit_buffers.h shaders_embedded.h
+example_modules := $(filter-out illustrate minimal_%,$(basename $(notdir $(sort $(wildcard examples/*.c)))))
+unit_tests := $(patsubst tests/%.c,$(out)/tests/%,$(sort $(wildcard tests/unit_*.c)))
+mock_tests := $(patsubst tests/%.c,$(out)/tests/%,$(sort $(wildcard tests/mock_*.c)))
+gl_tests := $(patsubst tests/%.c,$(out)/tests/%,$(sort $(wildcard tests/gl_*.c)))
+fuzzers := $(patsubst tests/%.c,build/fuzz/%,$(sort $(wildcard tests/fuzz_*.c)))
+benchmarks := $(patsubst bench/%.c,build/bench/%,$(sort $(wildcard bench/*.c)))
+formatted := $(wildcard *.h examples/*.[ch] tests/*.[ch] tests/compile/*.[ch] tools/*.[ch] bench/*.[ch])
+glad := build/glad/include/glad/gl.h
+clang_format := $(firstword $(shell command -v clang-format-14 clang-format) clang-format-14)
+# A fresh make, so that packages are there before anything is built; parallel unless the caller chose a number of jobs.
+build = @+$(MAKE) --no-print-directory $(if $(filter -j% --jobserver%,$(MAKEFLAGS)),,-j$(jobs))
+
+.PHONY: help demo test deps shaders check-generated check-shaders headers-alone sanitize valgrind fuzz format \
+        check-format bench ci install uninstall clean run-tests
+.DELETE_ON_ERROR:
+.SECONDARY:
+
+help: ## list these targets
+	@awk -F ':.*## ' '/^[a-z-]+:.*## /{printf "make %-16s %s\n", $$1, $$2}' Makefile
+
+demo: deps ## render at least six pictures into build/gallery
+	$(build) build/illustrate
+	@tools/gallery build/illustrate build/gallery
+
+test: deps ## build and run all tests
+	$(build) run-tests
+
+deps: ## install the Debian packages that are missing; instant when none is
+	@tools/install-deps
+
+shaders: build/embed_shaders ## write shaders/ into the headers
+	@build/embed_shaders .
+
+check-generated: build/embed_shaders ## fail if a header is not what `make shaders` would write
+	@build/embed_shaders . --check
+
+check-shaders: build/dump_shaders ## validate the text of every shader stage for every GLSL version
+	@tools/check_shaders build/dump_shaders build/shaders
+
+headers-alone: ## compile each header by itself: C and C++, seven compilers, all include orders
+	@tests/compile/headers_alone build/compile
+
+sanitize: build/embed_shaders ## unit, mock and GL tests under AddressSanitizer and UndefinedBehaviorSanitizer
+	$(build) config=asan run-sanitized
+
+valgrind: $(unit_tests) $(mock_tests) | build/embed_shaders ## unit and mock tests under valgrind
+	@tools/run_suites $(patsubst %,'valgrind -q --error-exitcode=9 --leak-check=full %',$^)
+
+fuzz: $(fuzzers) ## FUZZ_RUNS random inputs to every fuzz target
+	@tools/run_suites $(patsubst %,'% -runs=$(FUZZ_RUNS) -timeout=10 -print_final_stats=0 -verbosity=1',$^)
+
+format: ## lay out all C files by .clang-format
+	@$(clang_format) -i $(formatted)
+
+check-format: ## fail if a C file is not laid out by .clang-format
+	@$(clang_format) --dry-run -Werror $(formatted)
+
+bench: $(benchmarks) ## run the benchmarks; tables and build/bench/*.csv
+	@set -e; for program in $^; do BENCH=$(BENCH) $$program; done
+
+mutants: $(glad) ## break named lines one at a time and show that a test notices
+	@tools/mutants build/mutants
+
+ci: deps ## everything that must pass before a change is taken
+	@tools/run_ci $(MAKE) test sanitize valgrind check-shaders check-format fuzz
+
+install: build/illustrate ## install the headers below $(PREFIX)/include/glassine and the program illustrate
+	install -d $(DESTDIR)$(PREFIX)/include/glassine $(DESTDIR)$(PREFIX)/bin
+	install -m 644 $(headers) $(DESTDIR)$(PREFIX)/include/glassine
+	install -m 755 build/illustrate $(DESTDIR)$(PREFIX)/bin
+
+uninstall: ## remove what `make install` installed
+	rm -f $(patsubst %,$(DESTDIR)$(PREFIX)/include/glassine/%,$(headers)) $(DESTDIR)$(PREFIX)/bin/illustrate
+	-rmdir $(DESTDIR)$(PREFIX)/include/glassine
+
+clean: ## remove build/
+	rm -rf build
+
+run-tests: $(unit_tests) $(mock_tests) $(gl_tests) build/illustrate build/embed_shaders $(glad)
+	@tools/run_suites $(unit_tests) $(mock_tests) $(gl_tests) \
+	    'tests/compile/headers_alone build/compile' 'build/embed_shaders . --check' \
+	    'tests/compile/quick_starts build/quick_starts' 'tests/compile/minimal_examples build/minimal' \
+	    'tests/compile/exports build/exports' 'sh tests/test_illustrate.sh'
+
+# What a GL driver leaks is not ours to mend.
+run-sanitized: $(unit_tests) $(mock_tests) $(gl_tests)
+	@tools/run_suites $(unit_tests) $(mock_tests) $(patsubst %,'env ASAN_OPTIONS=detect_leaks=0 %',$(gl_tests))
+
+$(glad):
+	@mkdir -p build
+	$(call say,GLAD    $@)/usr/bin/python3 -m glad --quiet --reproducible --merge --api gl:core=4.5,gles2=3.2 \
+	    --extensions $(subst $() ,$(),$(glad_extensions)) --out-path build/glad c --header-only
+glad_extensions := GL_KHR_debug,GL_EXT_clip_control,GL_EXT_color_buffer_float,GL_EXT_disjoint_timer_query, \
+    GL_EXT_shader_framebuffer_fetch,GL_ARB_post_depth_coverage
+
+$(out)/examples/%.o: examples/%.c | $(glad)
+	@mkdir -p $(@D)
+	$(call say,CC      $@)$(CC) $(flags) $(includes) -MMD -MP -c $< -o $@
+
+$(out)/libexamples.a: $(example_modules:%=$(out)/examples/%.o)
+	@rm -f $@
+	$(call say,AR      $@)$(AR) rcs $@ $^
+
+$(out)/illustrate: $(out)/examples/illustrate.o $(out)/libexamples.a
+	$(call say,LINK    $@)$(CC) $(flags) $^ $(libraries) -o $@
+
+$(out)/tests/%: tests/%.c $(out)/libexamples.a | $(glad)
+	@mkdir -p $(@D)
+	$(call say,CC      $@)$(CC) $(flags) $(includes) $(depends) $< $(out)/libexamples.a $(libraries) -o $@
+
+build/bench/%: bench/%.c build/libexamples.a | $(glad)
+	@mkdir -p $(@D)
+	$(call say,CC      $@)$(CC) $(flags) $(includes) $(depends) $< build/libexamples.a $(libraries) -o $@
+
+build/fuzz/%: tests/%.c
+	@mkdir -p $(@D)
+	$(call say,FUZZER  $@)clang -std=c11 $(flags_asan) -fsanitize=fuzzer -DFUZZ_LIBFUZZER $(warnings) $(includes) $(depends) $< -lm -o $@
+
+build/%: tools/%.c
+	@mkdir -p $(@D)
+	$(call say,CC      $@)$(CC) $(flags) $(includes) $(depends) $< -lm -o $@
+
+-include $(wildcard $(out)/*.d $(out)/*/*.d build/bench/*.d build/fuzz/*.d build/*.d)
