@@ -550,6 +550,33 @@ static size_t drop_valleys(const surface *s, sil_edge *edges, size_t count) {
     return kept;
 }
 
+/* Length of a strip in pixels of the picture; infinite where it comes before the eye. */
+static double strip_length(const renderer *r, const figure *f, const sil_strip *strip, const uint32_t *vertices) {
+    const float *positions = r->surfaces[f->part->mesh].positions;
+    double to_clip[16], length = 0, last[2] = {0, 0};
+    scene_multiply(r->projection, f->model_view, to_clip);
+    for (uint32_t i = 0; i < strip->count; ++i) {
+        double p[4], now[2];
+        transform_point(to_clip, positions + 3 * (size_t)vertices[strip->first + i], p);
+        if (!(p[3] > 0))
+            return INFINITY;
+        now[0] = p[0] / p[3] * 0.5 * r->job->width;
+        now[1] = p[1] / p[3] * 0.5 * r->job->height;
+        length += i ? hypot(now[0] - last[0], now[1] - last[1]) : 0;
+        memcpy(last, now, sizeof last);
+    }
+    return length;
+}
+
+/* Creases too short to say anything, as scanned surfaces have by the hundred, are noise. */
+static size_t drop_short(const renderer *r, const figure *f, sil_strip *strips, size_t count) {
+    size_t kept = 0;
+    for (size_t i = 0; i < count; ++i)
+        if (strip_length(r, f, &strips[i], f->strip_vertices) >= 8)
+            strips[kept++] = strips[i];
+    return kept;
+}
+
 /* Chains one kind of lines after another: creases first. */
 static bool chain_lines(renderer *r, figure *f, const sil_mesh *mesh, sil_pose *pose, const sil_view *view) {
     const illustrate_job *job = r->job;
@@ -572,6 +599,8 @@ static bool chain_lines(renderer *r, figure *f, const sil_mesh *mesh, sil_pose *
         for (size_t k = f->strip_count; k < f->strip_count + strips; ++k)
             f->strips[k].first += (uint32_t)vertices;
         vertices += needed;
+        if (i == 0)
+            strips = drop_short(r, f, f->strips, strips);
         f->strip_count += strips;
         if (i == 0)
             f->crease_strips = f->strip_count;

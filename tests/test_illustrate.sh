@@ -1,0 +1,440 @@
+#!/bin/sh
+# test_illustrate.sh [ILLUSTRATE [FOLDER]]
+#
+# Tests the main program from outside: what it says and how it ends for broken files and wrong usage, that a failed run
+# leaves nothing behind, and that every built-in model and every model in ../shared/models (or $GLASSINE_MODELS) becomes a
+# picture. By default tests build/illustrate in a folder of its own below build/. SECONDS_EACH: the longest that one run
+# may take, by default 60.
+set -u
+LC_ALL=C
+export LC_ALL
+illustrate=${1:-build/illustrate}
+scratch=${2:-build/test_illustrate}
+limit=${SECONDS_EACH:-60}
+top=$(cd "$(dirname "$0")/.." && pwd) || exit 1
+models=${GLASSINE_MODELS:-$top/../shared/models}
+passed=0 failed=0
+
+case $illustrate in
+/*) ;;
+*) illustrate=$PWD/$illustrate ;;
+esac
+if [ ! -x "$illustrate" ]; then
+    echo "test_illustrate.sh: no program at $illustrate" >&2
+    exit 1
+fi
+case $models in
+/*) ;;
+*) models=$PWD/$models ;;
+esac
+rm -rf "$scratch"
+mkdir -p "$scratch/in" "$scratch/out" && cd "$scratch" || exit 1
+
+pass() {
+    passed=$((passed + 1))
+}
+
+fail() {
+    failed=$((failed + 1))
+    printf 'FAILED: %s\n' "$1"
+    if [ -s stderr ]; then sed 's/^/    stderr: /' stderr | head -n 5; fi
+}
+
+# check WHAT CONDITION...: one test.
+check() {
+    what=$1
+    shift
+    if "$@"; then pass; else fail "$what"; fi
+}
+
+run() {
+    timeout "$limit" "$illustrate" "$@" >stdout 2>stderr </dev/null
+    status=$?
+}
+
+one_line_on_stderr() {
+    [ "$(wc -l <stderr)" -eq 1 ] && grep -q '^illustrate: ' stderr
+}
+
+nothing_left() {
+    [ -z "$(ls -A out)" ]
+}
+
+# refuses STATUS TEXT ARGUMENTS...: ends with the status, one line that holds the text, and nothing in out/.
+refuses() {
+    expected=$1 text=$2
+    shift 2
+    run "$@"
+    name="illustrate $*"
+    if [ "$status" -ne "$expected" ]; then
+        fail "$name: status $status, not $expected"
+    elif ! one_line_on_stderr; then
+        fail "$name: not one line on stderr"
+    elif ! grep -q -e "$text" stderr; then
+        fail "$name: the line does not say: $text"
+    elif ! nothing_left; then
+        fail "$name: left $(ls -A out | head -n 3) behind"
+        rm -rf out && mkdir out
+    else
+        pass
+    fi
+}
+
+# draws WIDTH HEIGHT ARGUMENTS...: a picture of that size comes out that is not blank, and nothing beside it.
+draws() {
+    width=$1 height=$2
+    shift 2
+    run --size "${width}x$height" --quality 1 -o out/picture.png "$@"
+    name="illustrate $*"
+    if [ "$status" -ne 0 ]; then
+        fail "$name: status $status"
+    elif [ "$(ls -A out)" != picture.png ]; then
+        fail "$name: in the folder of the picture is: $(ls -A out | head -n 3)"
+    elif [ "$(png_size out/picture.png)" != "$width $height" ]; then
+        fail "$name: the picture is $(png_size out/picture.png), not $width $height"
+    elif cmp -s out/picture.png blank.png; then
+        fail "$name: the picture is blank"
+    else
+        pass
+    fi
+    rm -rf out && mkdir out
+}
+
+# Width and height from the header; nothing for a file that is no PNG.
+png_size() {
+    [ "$(head -c 8 "$1" | od -An -tx1 | tr -d ' \n')" = 89504e470d0a1a0a ] || return 0
+    tail -c +17 "$1" | head -c 8 | od -An -tu1 | awk '{print $1 * 16777216 + $2 * 65536 + $3 * 256 + $4, \
+        $5 * 16777216 + $6 * 65536 + $7 * 256 + $8}'
+}
+
+# The four bytes of a number, the lowest first.
+little32() {
+    for shift in 0 8 16 24; do
+        printf "\\$(printf '%03o' $((($1 >> shift) & 255)))"
+    done
+}
+
+zeros() {
+    head -c "$1" /dev/zero
+}
+
+# glb JSON BYTES [CLAIMED]: a GLB file on stdout; BYTES are the octal escapes of its binary chunk, a multiple of four.
+glb() {
+    text=$1
+    while [ $((${#text} % 4)) -ne 0 ]; do text="$text "; done
+    binary_length=$(printf "$2" | wc -c)
+    total=$((12 + 8 + ${#text} + 8 + binary_length))
+    printf 'glTF' && little32 2 && little32 "${3:-$total}"
+    little32 ${#text} && printf 'JSON%s' "$text"
+    little32 "$binary_length" && printf 'BIN\000' && printf "$2"
+}
+
+# ---- files: good ones to spoil, and bad ones ----------------------------------------------------------------------
+
+one='\000\000\200\077' nil='\000\000\000\000' nan='\000\000\300\177'
+# One triangle: three corners, then three indices of two bytes and two bytes to fill up.
+triangle="$nil$nil$nil$one$nil$nil$nil$one$nil\000\000\001\000\002\000\000\000"
+nan_triangle="$nan$nan$nan$nan$nil$nil$nil$nan$nil\000\000\001\000\002\000\000\000"
+far_triangle="$nil$nil$nil$one$nil$nil$nil$one$nil\000\000\001\000\377\377\000\000"
+json='{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"name":"one","mesh":0}],
+"meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],"buffers":[{"byteLength":44}],
+"bufferViews":[{"buffer":0,"byteLength":36},{"buffer":0,"byteOffset":36,"byteLength":6}],
+"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]},
+{"bufferView":1,"componentType":5123,"count":3,"type":"SCALAR"}]}'
+variant() {
+    printf '%s' "$json" | sed "$1"
+}
+
+glb "$json" "$triangle" >in/good.glb
+printf 'v 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 2 3\n' >in/edge_on.obj
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv nan 0 1\nf 1 2 3\nf 1 2 4\n' >in/one_nan.obj
+glb "$(variant 's/"name":"one"/"name":"one, two"/')" "$triangle" >in/comma.glb
+printf 'o first\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\no second\nv 0 0 1\nv 1 0 1\nv 0 1 1\nf 4 5 6\n' >in/two.obj
+
+: >in/empty.glb
+: >in/empty.obj
+: >in/empty.stl
+mkdir in/folder.obj
+head -c 100 in/good.glb >in/short.glb
+head -c 10 in/good.glb >in/tiny.glb
+echo 'This is no model at all.' >in/text.glb
+echo 'This is no model at all.' >in/text.stl
+echo 'This is no model at all.' >in/text.ply
+echo 'This is no model at all.' >in/text.obj
+echo 'This is no model at all.' >in/text.gltf
+glb "$json" "$triangle" 2147483648 >in/claims_2g.glb
+glb "$(variant 's/"byteLength":44/"byteLength":2147483648/')" "$triangle" >in/buffer_2g.glb
+glb "$(variant 's/5126,"count":3/5126,"count":2147483647/')" "$triangle" >in/accessor_2g.glb
+glb "$(variant 's/5123,"count":3/5123,"count":4294967295/')" "$triangle" >in/indices_4g.glb
+glb "$(variant 's/"mesh":0/"mesh":0,"children":[0]/')" "$triangle" >in/cycle.glb
+glb "$(variant 's/"mesh":0/"mesh":7/')" "$triangle" >in/no_such_mesh.glb
+glb "$(variant 's/"bufferView":0/"bufferView":9/')" "$triangle" >in/no_such_view.glb
+glb "$(variant 's/"nodes":\[0\]/"nodes":[]/')" "$triangle" >in/no_nodes.glb
+glb "$json" "$nan_triangle" >in/all_nan.glb
+glb "$json" "$far_triangle" >in/far_index.glb
+{ awk 'BEGIN { for (i = 0; i < 200000; i++) printf "[" }'; } >in/nested.gltf
+{ zeros 80 && little32 4294967295 && zeros 50; } >in/huge.stl
+{ zeros 80 && little32 100 && zeros 50; } >in/short.stl
+{ zeros 80 && little32 0; } >in/none.stl
+{ zeros 80 && little32 2 && zeros 100; } >in/points.stl
+printf 'solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0' >in/short_text.stl
+printf 'solid x\nendsolid x\n' >in/none_text.stl
+ply() {
+    printf 'ply\nformat %s 1.0\nelement vertex %s\nproperty float x\nproperty float y\nproperty float z\n' "$1" "$2"
+    printf 'element face %s\nproperty list uchar int vertex_indices\nend_header\n' "$3"
+}
+{ ply ascii 4000000000 1 && printf '0 0 0\n3 0 0 0\n'; } >in/huge.ply
+{ ply binary_little_endian 2147483647 4294967295 && zeros 100; } >in/huge_binary.ply
+{ ply ascii 1e400 1 && printf '0 0 0\n'; } >in/endless.ply
+{ ply ascii 3 0 && printf '0 0 0\n1 0 0\n0 1 0\n'; } >in/points.ply
+{ ply ascii 3 5 && printf '0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n'; } >in/short.ply
+{ ply binary_little_endian 3 1000 && zeros 10000; } >in/short_binary.ply
+{ ply ascii 3 1 && printf '0 0 0\n1 0 0\n0 1 0\n3 0 1 99\n'; } >in/far_index.ply
+{ ply ascii 3 1 && printf '0 0 0\n1 0 0\n0 1 0\n2000000000 0 1 2\n'; } >in/huge_face.ply
+printf 'ply\nformat ascii 1.0\nelement vertex 3\n' >in/no_end.ply
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\n' >in/no_faces.obj
+printf 'v 0 0 0\nv 1 0 0\nl 1 2\n' >in/lines.obj
+printf 'v nan nan nan\nv nan 0 0\nv 0 nan 0\nf 1 2 3\n' >in/all_nan.obj
+printf 'v inf 0 0\nv 1 0 -inf\nv 0 inf 0\nf 1 2 3\n' >in/infinite.obj
+printf 'v 0 0 0\nv 1 0 0\nf 1 2 999999999\nf -9 -8 -7\n' >in/far_index.obj
+printf 'ISO-10303-21;\nHEADER;\nENDSEC;\n' >in/disguised.obj
+printf 'ISO-10303-21;\nHEADER;\nENDSEC;\n' >in/part.step
+printf 'ISO-10303-21;\nHEADER;\nENDSEC;\n' >in/part.STP
+printf '%-72sS%7d\n' 'an IGES file' 1 >in/part.igs
+printf '%-72sS%7d\n' 'an IGES file' 1 >in/disguised.dxf
+echo 1 2 3 >in/points.xyz
+echo 1 2 3 >in/no_extension
+mkfifo in/pipe.obj
+
+# ---- a blank picture, to tell others from ---------------------------------------------------------------------------
+
+# A triangle seen from its edge covers no pixel, and no lines are drawn.
+run in/edge_on.obj --size 64x48 --quality 1 --view 0,0 --lines none -o blank.png
+check 'a picture without anything in it' [ "$status" -eq 0 ]
+check 'a blank picture is a small file' [ "$(wc -c <blank.png)" -lt 2000 ]
+
+# ---- broken files ---------------------------------------------------------------------------------------------------
+
+broken() {
+    refuses 1 "$2" "in/$1" -o out/picture.png
+}
+broken missing.obj 'in/missing.obj: No such file'
+broken empty.glb 'is empty'
+broken empty.obj 'is empty'
+broken empty.stl 'is empty'
+broken folder.obj 'is a folder'
+broken pipe.obj 'is not a regular file'
+broken short.glb 'cut short'
+broken tiny.glb 'not a GLB'
+broken text.glb 'not a GLB'
+broken text.stl 'not an STL'
+broken text.ply 'not a PLY'
+broken text.obj 'in/text.obj: '
+broken text.gltf 'in/text.gltf: '
+broken claims_2g.glb '2147483648 bytes'
+broken accessor_2g.glb 'in/accessor_2g.glb: '
+broken indices_4g.glb 'in/indices_4g.glb: '
+broken cycle.glb 'in/cycle.glb: '
+broken no_such_mesh.glb 'in/no_such_mesh.glb: '
+broken no_such_view.glb 'in/no_such_view.glb: '
+broken no_nodes.glb 'no triangles'
+broken all_nan.glb 'without NaN or infinite'
+broken far_index.glb 'in/far_index.glb: '
+broken nested.gltf 'in/nested.gltf: '
+broken huge.stl '4294967295 triangles'
+broken short.stl 'cut short'
+broken none.stl 'in/none.stl: '
+broken short_text.stl 'cut short'
+broken none_text.stl 'in/none_text.stl: '
+broken huge.ply 'cut short'
+broken huge_binary.ply 'cut short'
+broken endless.ply 'cut short'
+broken points.ply 'in/points.ply: '
+broken short.ply 'cut short'
+broken short_binary.ply 'cut short'
+broken far_index.ply 'in/far_index.ply: '
+broken huge_face.ply 'in/huge_face.ply: '
+broken no_end.ply 'header has no end'
+broken no_faces.obj 'in/no_faces.obj: '
+broken lines.obj 'in/lines.obj: '
+broken all_nan.obj 'without NaN or infinite'
+broken infinite.obj 'without NaN or infinite'
+broken far_index.obj 'in/far_index.obj: '
+broken part.step 'tessellate to glTF first'
+broken part.STP 'tessellate to glTF first'
+broken disguised.obj 'tessellate to glTF first'
+broken part.igs 'tessellate to glTF first'
+broken disguised.dxf 'tessellate to glTF first'
+broken points.xyz 'no known kind'
+broken no_extension 'no known kind'
+for kind in obj glb gltf stl ply 3ds fbx dae x blend 3mf off dxf lwo ms3d md2 ifc; do
+    head -c 5000 "$illustrate" >"in/program.$kind"
+    broken "program.$kind" "in/program.$kind: "
+done
+refuses 1 'in/empty.obj: is empty' model:mug in/empty.obj -o out/picture.png
+
+# Who may read everything cannot test that; another user can, where there is a way to be one.
+cp in/good.glb in/closed.glb
+chmod 000 in/closed.glb
+if [ "$(id -u)" -ne 0 ]; then
+    broken closed.glb 'Permission denied'
+elif command -v setpriv >/dev/null && setpriv --reuid=65534 --regid=65534 --clear-groups test -x "$illustrate" -a -r in; then
+    setpriv --reuid=65534 --regid=65534 --clear-groups "$illustrate" in/closed.glb --list >stdout 2>stderr
+    check 'a file that may not be read' [ $? -eq 1 ]
+    check 'a file that may not be read: one line' one_line_on_stderr
+    check 'a file that may not be read: what the line says' grep -q 'in/closed.glb: Permission denied' stderr
+    setpriv --reuid=65534 --regid=65534 --clear-groups "$illustrate" in/good.glb -o out/picture.png >stdout 2>stderr
+    check 'a folder that may not be written' [ $? -eq 1 ]
+    check 'a folder that may not be written: what the line says' grep -q 'folder out: Permission denied' stderr
+else
+    echo 'skipped: files that may not be read, as root may read all'
+fi
+
+# ---- wrong usage ------------------------------------------------------------------------------------------------------
+
+wrong() {
+    text=$1
+    shift
+    refuses 2 "$text" "$@"
+}
+wrong 'no model'
+wrong 'no -o' model:mug
+wrong 'no model' -o out/picture.png
+wrong 'a value is missing' model:mug -o
+wrong 'is it --opaque' model:mug --opaqe x -o out/picture.png
+wrong 'no such option' model:mug --zzzzzzzzz -o out/picture.png
+wrong 'no such option' model:mug -x -o out/picture.png
+wrong 'takes no value' model:mug --ortho=yes -o out/picture.png
+wrong 'is it model:gearbox' model:gerbox -o out/picture.png
+wrong 'ends with .png' model:mug -o out/picture.jpg
+for size in '' 5 5x x5 0x5 5x0 -5x5 +5x5 5x5x5 16385x1 1x16385 1e3x10 0x10x10 5.0x5 ' 5x5' 99999999999999999999x1; do
+    wrong 'WxH' model:mug -o out/picture.png --size "$size"
+done
+for view in '' 10 10, ,10 a,b nan,0 inf,0 0,91 0,-91 0x10,0 10,20,30 '1 0,0' 1e999,0; do
+    wrong 'AZIMUTH,ELEVATION' model:mug -o out/picture.png --view "$view"
+done
+for quality in '' 0 9 2x 1.5 -1 nan; do
+    wrong 'from 1 to 8' model:mug -o out/picture.png --quality "$quality"
+done
+for k in '' -1 nan inf 2x 1001; do
+    wrong 'from 0 to 1000' model:mug -o out/picture.png --k "$k"
+done
+for weights in '' 1 1, 2,0 0,2 -1,0 nan,nan; do
+    wrong 'OPAQUE,BACKGROUND' model:mug -o out/picture.png --weights "$weights"
+done
+for background in '' red fff fffffff gggggg '#' 0xffffff; do
+    wrong 'RRGGBB' model:mug -o out/picture.png --background "$background"
+done
+for style in glass smart curvature; do
+    wrong 'not yet there' model:mug -o out/picture.png --style "$style"
+done
+wrong 'there are auto, hodges, lines and opaque' model:mug -o out/picture.png --style nice
+wrong 'cool-to-warm and flat' model:mug -o out/picture.png --shade dark
+wrong 'normalised, published and over' model:mug -o out/picture.png --blend under
+wrong 'auto, implicit, explicit and published' model:mug -o out/picture.png --interior none
+wrong 'y and z' model:mug -o out/picture.png --up x
+wrong 'not known' model:mug -o out/picture.png --lines wrinkles
+wrong 'not known' model:mug -o out/picture.png --lines ''
+wrong 'not known' model:mug -o out/picture.png --lines silhouettes,
+wrong 'another kind' model:mug -o out/picture.png --lines none,creases
+wrong 'number of pixels' model:mug -o out/picture.png --lines silhouettes:
+wrong 'number of pixels' model:mug -o out/picture.png --lines silhouettes:0
+wrong 'number of pixels' model:mug -o out/picture.png --lines silhouettes:2px
+wrong '32768 samples' model:mug -o out/picture.png --size 16384x1 --quality 3
+wrong 'nearest: mug/box' model:mug -o out/picture.png --hide bux
+wrong 'nearest: gearbox/housing, ' model:gearbox -o out/picture.png --transparent gearbox/hosing
+wrong 'nearest: gearbox/shaft_in, ' model:gearbox -o out/picture.png --transparent shaft_im
+wrong 'no such part' model:mug -o out/picture.png --opaque 'z*'
+wrong 'names no part' model:mug -o out/picture.png --hide ''
+wrong 'nothing to draw' model:mug -o out/picture.png --hide '*'
+refuses 1 'folder out/nowhere' model:mug -o out/nowhere/picture.png
+mkdir in/folder.png
+refuses 1 'is a folder' model:mug -o in/folder.png
+
+# ---- what works ---------------------------------------------------------------------------------------------------------
+
+run --help
+check '--help' [ "$status" -eq 0 ]
+check '--help names every option' sh -c "! for o in output style size view ortho transparent opaque hide list lines shade \
+    background k blend weights interior quality up gles explain verbose version; do grep -q -e \"--\$o\" stdout || echo \$o; \
+    done | grep ."
+run --version
+check '--version' [ "$status" -eq 0 ]
+check '--version: what it says' grep -q '^illustrate [0-9]' stdout
+run model:gearbox --list
+check '--list' [ "$status" -eq 0 ]
+check '--list: a path' grep -q '  gearbox/shaft_in/gear_3$' stdout
+check '--list: bolts share a mesh' grep -q ' 28  closed   gearbox/housing/bolt_front_1$' stdout
+run in/two.obj --list
+check '--list: parts of a file' [ "$(grep -c -e '  first$' -e '  second$' stdout)" -eq 2 ]
+check '--list: one triangle is open' grep -q ' 1       1  open     first$' stdout
+run in/two.obj in/good.glb --list
+check 'parts of several files have the name of their file' grep -q '  two/second$' stdout
+check 'and those of a GLB, too' grep -q '  good/one$' stdout
+run in/two.obj in/two.obj --list
+check 'a name that is there twice gets a number' grep -q '  two/first#2$' stdout
+run in/comma.glb --list
+check 'no comma in the name of a part' grep -q '  one_ two$' stdout
+if [ -e /dev/full ]; then
+    "$illustrate" model:mug --list >/dev/full 2>stderr
+    check 'standard output that is full' [ $? -eq 1 ]
+fi
+
+draws 64 48 in/good.glb
+draws 64 48 in/buffer_2g.glb # what is used of the buffer is there
+draws 64 48 in/one_nan.obj
+run in/one_nan.obj --size 64x48 -o out/picture.png
+check 'a triangle with NaN is left out, and said so' grep -q '1 triangles with NaN' stderr
+rm -f out/*
+draws 1 1 model:mug --background 000000
+draws 97 53 model:crank
+draws 64 48 model:mug in/two.obj
+draws 64 48 -- in/two.obj
+draws 64 48 --view=-400.5,-90 --ortho model:mug
+for extra in '--style hodges' '--style lines' '--style opaque' '--lines all:3' '--lines none' '--shade flat' \
+    '--background none' '--background #102030' '--k 2' '--blend over' '--blend published' '--weights 0.7,0.3' \
+    '--interior implicit' '--interior explicit' '--interior published' '--gles' '--hide box' '--opaque mug' \
+    '--transparent mug/box' '--hide b?x --opaque *y'; do
+    set -f
+    draws 64 48 model:mug $extra
+    set +f
+done
+run model:mug --size 64x48 --explain -o out/picture.png
+check '--explain' [ "$status" -eq 0 ]
+check '--explain writes JSON' sh -c 'head -c 1 stdout | grep -q "{" && tail -n 1 stdout | grep -q "}$"'
+rm -f out/*
+run model:mug --size 64x48 --verbose -o out/picture.png
+check '--verbose says by which platform' grep -q 'platform' stderr
+cp out/picture.png before.png
+run in/empty.obj -o out/picture.png
+check 'a failed run leaves an older picture as it was' cmp -s out/picture.png before.png
+run model:mug --hide box --size 64x48 -o out/picture.png
+check 'a picture takes the place of an older one' [ "$status" -eq 0 ]
+check 'without the box it is another' sh -c '! cmp -s out/picture.png before.png'
+ln -s picture.png out/link.png
+run model:mug --size 64x48 -o out/link.png
+check 'a link stays a link' [ -L out/link.png ]
+check 'and what it points to is the picture' cmp -s out/picture.png before.png
+rm -f out/*
+run model:mug --size 16x16 -o /dev/null
+check 'a device stays a device' [ "$status" -eq 0 -a -c /dev/null ]
+
+# ---- every model ----------------------------------------------------------------------------------------------------------
+
+for name in mug crank gearbox torus_knot shells dirty_open dirty_doubled dirty_degenerate dirty_nonmanifold dirty_flipped; do
+    draws 64 48 "model:$name"
+done
+if [ -d "$models" ]; then
+    find "$models" -type f | sort >files
+    while IFS= read -r file; do
+        case $file in
+        *.glb | *.gltf | *.obj | *.ply | *.stl | *.STL | *.3ds) draws 64 48 "$file" ;;
+        esac
+    done <files
+else
+    echo "skipped: real models, as there is no $models"
+fi
+
+cd / && rm -rf "$OLDPWD"
+echo "$passed passed, $failed failed"
+[ "$failed" -eq 0 ]
