@@ -1,0 +1,277 @@
+/* cc -std=c11 -O2 -I. bench/silhouette.c -o bench_silhouette -lm && ./bench_silhouette [FILE.csv]
+
+   Time to find the silhouettes of one view, median over many views. Subjects:
+     published  the papers' way: for each edge the product of its faces' signs, float normals, scalar code
+     brute      silhouette.h with a pose: exact signs of all faces, then all edges
+   error_max is the largest number of edges in any view that differ from those by exact signs asked for one at a time.
+   BENCH=quick takes fewer views. The file is build/bench/silhouette.csv unless given; its folder must exist. */
+#define _POSIX_C_SOURCE 200809L
+#define SILHOUETTE_IMPLEMENTATION
+#include "silhouette.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+typedef struct model {
+    const char *name;
+    float *positions;
+    uint32_t *indices;
+    size_t vertex_count, index_count;
+} model;
+
+/* What the published test reads of an edge. */
+typedef struct plain_edge {
+    uint32_t a, b, face[2];
+} plain_edge;
+
+typedef struct published {
+    plain_edge *edges;
+    float *normals;
+    size_t edge_count, bytes;
+} published;
+
+static void *need(size_t size) {
+    void *memory = malloc(size ? size : 1);
+    if (!memory) {
+        fputs("bench silhouette: out of memory\n", stderr);
+        exit(1);
+    }
+    return memory;
+}
+
+static double now_ms(void) {
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return 1000.0 * (double)t.tv_sec + 1e-6 * (double)t.tv_nsec;
+}
+
+static model model_new(const char *name, size_t vertices, size_t triangles) {
+    model m;
+    m.name = name;
+    m.positions = (float *)need(3 * vertices * sizeof(float));
+    m.indices = (uint32_t *)need(3 * triangles * sizeof(uint32_t));
+    m.vertex_count = vertices;
+    m.index_count = 0;
+    return m;
+}
+
+static void add_quad(model *m, uint32_t a, uint32_t b, uint32_t c, uint32_t d) {
+    const uint32_t corners[6] = {a, b, c, a, c, d};
+    memcpy(m->indices + m->index_count, corners, sizeof corners);
+    m->index_count += 6;
+}
+
+static model make_torus(size_t rings, size_t sides) {
+    model m = model_new("torus", rings * sides, 2 * rings * sides);
+    size_t i, j;
+    for (i = 0; i < rings; ++i)
+        for (j = 0; j < sides; ++j) {
+            const double u = 2 * SIL_I_PI * (double)i / (double)rings, v = 2 * SIL_I_PI * (double)j / (double)sides;
+            float *p = m.positions + 3 * (i * sides + j);
+            const size_t right = (i + 1) % rings * sides, up = (j + 1) % sides;
+            p[0] = (float)((1 + 0.4 * cos(v)) * cos(u));
+            p[1] = (float)((1 + 0.4 * cos(v)) * sin(u));
+            p[2] = (float)(0.4 * sin(v));
+            add_quad(&m, (uint32_t)(i * sides + j), (uint32_t)(right + j), (uint32_t)(right + up),
+                     (uint32_t)(i * sides + up));
+        }
+    return m;
+}
+
+/* The surface of a box of n * n * n cells: flat sides, as CAD has them. Vertices are numbered by place. */
+static model make_box(size_t n) {
+    model m = model_new("box", (n + 1) * (n + 1) * 6, 12 * n * n);
+    size_t side, i, j;
+    m.vertex_count = 0;
+    for (side = 0; side < 6; ++side) {
+        const uint32_t first = (uint32_t)m.vertex_count, row = (uint32_t)n + 1;
+        for (i = 0; i <= n; ++i)
+            for (j = 0; j <= n; ++j) {
+                float *p = m.positions + 3 * m.vertex_count++;
+                p[side / 2] = side % 2 ? 1 : -1;
+                p[(side / 2 + 1) % 3] = (float)(2 * (double)i / (double)n - 1);
+                p[(side / 2 + 2) % 3] = (float)(2 * (double)j / (double)n - 1);
+            }
+        for (i = 0; i < n; ++i)
+            for (j = 0; j < n; ++j) {
+                const uint32_t a = first + (uint32_t)i * row + (uint32_t)j, b = a + row, c = b + 1, d = a + 1;
+                if (side % 2)
+                    add_quad(&m, a, b, c, d);
+                else
+                    add_quad(&m, a, d, c, b);
+            }
+    }
+    return m;
+}
+
+/* The same faces and edges as the mesh has. */
+static published publish(const model *m, const sil_mesh *mesh) {
+    published p;
+    size_t i;
+    int k;
+    (void)m;
+    p.edge_count = mesh->edge_count;
+    p.bytes = mesh->edge_count * sizeof(plain_edge) + mesh->face_count * 3 * sizeof(float);
+    p.edges = (plain_edge *)need(mesh->edge_count * sizeof(plain_edge));
+    p.normals = (float *)need(mesh->face_count * 3 * sizeof(float));
+    for (i = 0; i < mesh->edge_count; ++i) {
+        p.edges[i].a = mesh->edge_vertex[2 * i];
+        p.edges[i].b = mesh->edge_vertex[2 * i + 1];
+        p.edges[i].face[0] = mesh->edge_face[0][i];
+        p.edges[i].face[1] = mesh->edge_face[1][i];
+    }
+    for (i = 0; i < mesh->face_count; ++i) {
+        double normal[3], error, length;
+        sil_i_normal(&mesh->rest, mesh->corner + 3 * i, normal, &error);
+        length = sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
+        for (k = 0; k < 3; ++k)
+            p.normals[3 * i + (size_t)k] = (float)(normal[k] / length);
+    }
+    return p;
+}
+
+/* Diepstraten 2002, equation 1; a direction for parallel views. */
+static size_t run_published(const published *p, const float *positions, const sil_view *view, uint32_t *out) {
+    const float ex = (float)view->eye[0], ey = (float)view->eye[1], ez = (float)view->eye[2], w = (float)view->eye[3];
+    size_t i, count = 0;
+    for (i = 0; i < p->edge_count; ++i) {
+        const plain_edge *e = &p->edges[i];
+        const float *v = positions + 3 * (size_t)e->a;
+        const float *n0 = p->normals + 3 * (size_t)e->face[0], *n1 = p->normals + 3 * (size_t)e->face[1];
+        const float x = ex - w * v[0], y = ey - w * v[1], z = ez - w * v[2];
+        const float d0 = n0[0] * x + n0[1] * y + n0[2] * z, d1 = n1[0] * x + n1[1] * y + n1[2] * z;
+        if (d0 * d1 < 0)
+            out[count++] = (uint32_t)i;
+    }
+    return count;
+}
+
+/* How many indices are in one of two rising lists only. */
+static size_t differing(const uint32_t *a, size_t a_count, const sil_edge *b, size_t b_count) {
+    size_t i = 0, j = 0, both = 0;
+    while (i < a_count && j < b_count) {
+        both += a[i] == b[j].edge;
+        if (a[i] <= b[j].edge)
+            i += 1, j += a[i - 1] == b[j].edge;
+        else
+            ++j;
+    }
+    return a_count + b_count - 2 * both;
+}
+
+static int compare_doubles(const void *a, const void *b) {
+    const double x = *(const double *)a, y = *(const double *)b;
+    return x < y ? -1 : x > y;
+}
+
+/* View number i: an eye on two radii, moving in small steps; or along the axes and diagonals, in parallel. */
+static sil_view view_number(size_t i, int axes) {
+    sil_view view;
+    const double angle = 0.37 + 0.05 * (double)i, radius = i % 2 ? 2.2 : 6;
+    view.eye[0] = axes ? (double)(i % 3 == 0) : radius * cos(angle);
+    view.eye[1] = axes ? (double)(i % 3 == 1) : radius * sin(angle);
+    view.eye[2] = axes ? (double)(i % 3 == 2) : radius * 0.5 * sin(0.3 * angle);
+    view.eye[3] = !axes;
+    return view;
+}
+
+static void report(FILE *csv, const char *scene, size_t size, const char *subject, double ms, size_t bytes,
+                   size_t errors) {
+    printf("%-12s %-12s %9lu  %-10s %9.3f ms %7.2f ns/edge %11lu bytes  %lu edges differ\n", "extract", scene,
+           (unsigned long)size, subject, ms, 1e6 * ms / (double)size, (unsigned long)bytes, (unsigned long)errors);
+    fprintf(csv, "extract,%s,%lu,%s,%.6f,%lu,%lu\n", scene, (unsigned long)size, subject, ms, (unsigned long)bytes,
+            (unsigned long)errors);
+}
+
+static void run_views(FILE *csv, const char *scene, const published *p, const sil_mesh *mesh, sil_pose *pose, int axes,
+                      size_t views) {
+    uint32_t *found = (uint32_t *)need(mesh->edge_count * sizeof(uint32_t));
+    sil_edge *edges = (sil_edge *)need(mesh->edge_count * sizeof(sil_edge));
+    sil_edge *truth = (sil_edge *)need(mesh->edge_count * sizeof(sil_edge));
+    double *times[2];
+    size_t i, errors[2] = {0, 0};
+    times[0] = (double *)need(2 * views * sizeof(double));
+    times[1] = times[0] + views;
+    for (i = 0; i < views; ++i) {
+        const sil_view view = view_number(i, axes);
+        const size_t true_count = sil_extract(mesh, NULL, &view, SIL_SILHOUETTE, truth, mesh->edge_count);
+        const double start = now_ms();
+        const size_t published_count = run_published(p, mesh->rest.position, &view, found);
+        const double middle = now_ms();
+        const size_t ours = sil_extract(mesh, pose, &view, SIL_SILHOUETTE, edges, mesh->edge_count);
+        size_t wrong = differing(found, published_count, truth, true_count), k;
+        times[1][i] = now_ms() - middle;
+        times[0][i] = middle - start;
+        errors[0] = wrong > errors[0] ? wrong : errors[0];
+        for (k = 0; k < ours; ++k)
+            found[k] = edges[k].edge;
+        wrong = differing(found, ours, truth, true_count);
+        errors[1] = wrong > errors[1] ? wrong : errors[1];
+    }
+    for (i = 0; i < 2; ++i)
+        qsort(times[i], views, sizeof(double), compare_doubles);
+    report(csv, scene, mesh->edge_count, "published", times[0][views / 2], p->bytes, errors[0]);
+    report(csv, scene, mesh->edge_count, "brute", times[1][views / 2], sil_mesh_get_info(mesh).bytes + mesh->face_count,
+           errors[1]);
+    free(found);
+    free(edges);
+    free(truth);
+    free(times[0]);
+}
+
+static void run_model(FILE *csv, model m, size_t views) {
+    sil_mesh_desc desc;
+    sil_mesh *mesh;
+    sil_pose *pose;
+    published p;
+    char axis_name[64];
+    double start = now_ms();
+    memset(&desc, 0, sizeof desc);
+    desc.positions = m.positions;
+    desc.vertex_count = m.vertex_count;
+    desc.indices = m.indices;
+    desc.index_count = m.index_count;
+    mesh = sil_mesh_create(&desc, NULL);
+    pose = sil_pose_create(mesh, NULL);
+    if (!mesh || !pose) {
+        fputs("bench silhouette: out of memory\n", stderr);
+        exit(1);
+    }
+    start = now_ms() - start;
+    printf("%-12s %-12s %9lu  %-10s %9.3f ms\n", "create", m.name, (unsigned long)mesh->edge_count, "brute", start);
+    fprintf(csv, "create,%s,%lu,brute,%.6f,%lu,0\n", m.name, (unsigned long)mesh->edge_count, start,
+            (unsigned long)sil_mesh_get_info(mesh).bytes);
+    p = publish(&m, mesh);
+    run_views(csv, m.name, &p, mesh, pose, 0, views);
+    snprintf(axis_name, sizeof axis_name, "%s_axes", m.name);
+    run_views(csv, axis_name, &p, mesh, pose, 1, views);
+    free(p.edges);
+    free(p.normals);
+    sil_pose_destroy(pose);
+    sil_mesh_destroy(mesh);
+    free(m.positions);
+    free(m.indices);
+}
+
+int main(int argc, char **argv) {
+    const char *path = argc > 1 ? argv[1] : "build/bench/silhouette.csv", *mode = getenv("BENCH");
+    const int quick = mode && strcmp(mode, "quick") == 0;
+    const size_t views = quick ? 15 : 101;
+    FILE *csv = fopen(path, "w");
+    if (!csv) {
+        fprintf(stderr, "bench silhouette: cannot write %s\n", path);
+        return 1;
+    }
+    fputs("work,scene,size,subject,milliseconds,bytes,error_max\n", csv);
+    run_model(csv, make_torus(250, 134), views);
+    run_model(csv, make_box(76), views);
+    run_model(csv, make_torus(800, 420), views);
+    run_model(csv, make_box(240), views);
+    if (fclose(csv) != 0) {
+        fprintf(stderr, "bench silhouette: cannot write %s\n", path);
+        return 1;
+    }
+    return 0;
+}
