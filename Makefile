@@ -81,7 +81,7 @@ valgrind: $(unit_tests) $(mock_tests) | build/embed_shaders ## unit and mock tes
 	@tools/run_suites $(patsubst %,'valgrind -q --error-exitcode=9 --leak-check=full %',$^)
 
 fuzz: $(fuzzers) ## FUZZ_RUNS random inputs to every fuzz target
-	@tools/run_suites $(patsubst %,'% -runs=$(FUZZ_RUNS) -timeout=10 -print_final_stats=0 -verbosity=1',$^)
+	@tools/run_suites $(patsubst %,'% -runs=$(FUZZ_RUNS) -seed=1 -timeout=10 -verbosity=0 -artifact_prefix=build/fuzz/',$^)
 
 format: ## lay out all C files by .clang-format
 	@$(clang_format) -i $(formatted)

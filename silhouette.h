@@ -246,7 +246,8 @@ SIL_DEF sil_result sil_pose_set(sil_pose *pose, const float *positions, size_t s
 /* Makes room for sil_chain with so many edges, so that it allocates nothing later. */
 SIL_DEF sil_result sil_pose_reserve(sil_pose *pose, size_t edge_count);
 
-/* The eye in the mesh's own coordinates: {x, y, z, 1} a point, {x, y, z, 0} a direction from the mesh toward the eye. */
+/* The eye in the mesh's own coordinates: {x, y, z, 1} a point, {x, y, z, 0} a direction from the mesh toward the eye.
+   */
 typedef struct sil_view {
     double eye[4];
 } sil_view;
@@ -266,8 +267,9 @@ typedef struct sil_edge {
     uint32_t kinds;   /* all that this edge is in this view, asked for or not */
 } sil_edge;
 
-/* The edges that are of one of the kinds asked for, by rising `edge`. pose: NULL for the rest positions (needs no memory,
-   and is slower). view: NULL for what does not depend on the eye: boundaries, non-manifold edges and all creases. */
+/* The edges that are of one of the kinds asked for, by rising `edge`. pose: NULL for the rest positions (needs no
+   memory, and is slower). view: NULL for what does not depend on the eye: boundaries, non-manifold edges and all
+   creases. */
 SIL_DEF size_t sil_extract(const sil_mesh *mesh, sil_pose *pose, const sil_view *view, unsigned kinds, sil_edge *edges,
                            size_t capacity);
 
@@ -278,13 +280,13 @@ typedef struct sil_strip {
     uint32_t closed;       /* 1: a loop */
 } sil_strip;
 
-/* Edges to strips. At a vertex a silhouette goes on where the front faces around it end: one successor, and loops do not
-   cross. Other lines, and silhouettes where that way is barred, go on where exactly two ends of the same kinds meet.
-   Every edge is in one strip; edges given twice count once; edges that are not of this mesh are left out. The result,
-   strips by rising id, does not depend on the order of the edges. Silhouettes have front faces on their left.
-   Returns the number of strips; *vertices_needed (may be NULL) is the number of vertices. Vertices past
-   vertex_capacity are not written: when *vertices_needed is larger, the strips' ranges go past the array.
-   0 with *vertices_needed = SIZE_MAX: out of memory. */
+/* Edges to strips. At a vertex a silhouette goes on where the front faces around it end: one successor, and loops do
+   not cross. Other lines, and silhouettes where that way is barred, go on where exactly two ends of the same kinds
+   meet. Every edge is in one strip; edges given twice count once; edges that are not of this mesh are left out. The
+   result, strips by rising id, does not depend on the order of the edges. Silhouettes have front faces on their left if
+   the mesh is wound consistently. Returns the number of strips; *vertices_needed (may be NULL) is the number of
+   vertices. Vertices past vertex_capacity are not written: when *vertices_needed is larger, the strips' ranges go past
+   the array. 0 with *vertices_needed = SIZE_MAX: out of memory. */
 SIL_DEF size_t sil_chain(const sil_mesh *mesh, sil_pose *pose, const sil_edge *edges, size_t edge_count,
                          sil_strip *strips, size_t strip_capacity, uint32_t *vertices, size_t vertex_capacity,
                          size_t *vertices_needed);
@@ -337,8 +339,8 @@ typedef struct sil_ribbon_desc {
     unsigned flags;
 } sil_ribbon_desc;
 
-/* Strips to triangles, three vertices each, in the mesh's rest or posed positions. Triangles of one line overlap at joins
-   (draw them opaque, or once each by stencil) but leave no gap. Lines are clipped to the depth range, and to the
+/* Strips to triangles, three vertices each, in the mesh's rest or posed positions. Triangles of one line overlap at
+   joins (draw them opaque, or once each by stencil) but leave no gap. Lines are clipped to the depth range, and to the
    viewport widened by the line's width: a cut outside the viewport has a cap where it cannot be seen. Neither order nor
    winding of the triangles means anything. vertices: the array that the strips were made into. Ranges, vertices and
    matrices that make no sense draw nothing. Whole triangles are written while there is room. */
@@ -570,8 +572,8 @@ static int sil_i_bit_length(uint64_t value) {
 
 /* ---- the exact sign of a face ---- */
 
-/* A sum of products as a fixed-point integer of 40 limbs of 32 bits, each held in 64 so that carries wait until the end.
-   The lowest bit stands for 2^-672: below the least product, 2^-200 (eye) * 2^-149 * 2^-149 * 2^-149 = 2^-647. The
+/* A sum of products as a fixed-point integer of 40 limbs of 32 bits, each held in 64 so that carries wait until the
+   end. The lowest bit stands for 2^-672: below the least product, 2^-200 (eye) * 2^-149 * 2^-149 * 2^-149 = 2^-647. The
    greatest, 2^130 * 2^128 * 2^128 times 18 terms and 2 * 2^384 times 6, stay below 2^394; limb 40 begins at 2^608. */
 #define SIL_I_LIMBS 40
 #define SIL_I_LOWEST (-672)
@@ -1108,8 +1110,8 @@ static uint32_t sil_i_weld_find(const sil_mesh *mesh, const float *p, const int6
     return best;
 }
 
-/* By distance: kept vertices in a grid of cells a little larger than the distance, in a table of lists. Further out than
-   2^62 cells floats are further apart than the distance, so that it does no harm to clamp there. */
+/* By distance: kept vertices in a grid of cells a little larger than the distance, in a table of lists. Further out
+   than 2^62 cells floats are further apart than the distance, so that it does no harm to clamp there. */
 static void sil_i_weld_close(sil_mesh *mesh, const sil_mesh_desc *desc, uint32_t *heads, size_t table_size,
                              uint32_t *next) {
     const double distance = (double)desc->weld_distance, size = distance * (1 + 9.5367431640625e-7);
@@ -1525,7 +1527,8 @@ static void sil_i_follow(const sil_mesh *mesh, uint32_t face, uint32_t *root, ui
         root[path[--length]] = found;
 }
 
-/* Faces whose way along longest edges ends nowhere take the root of a neighbour that has one, the nearest ones first. */
+/* Faces whose way along longest edges ends nowhere take the root of a neighbour that has one, the nearest ones first.
+   */
 static void sil_i_spread(const sil_mesh *mesh, uint32_t *root, uint32_t *queue) {
     size_t begin = 0, end = 0, f;
     int i;
@@ -1600,14 +1603,37 @@ static double sil_i_dihedral(const sil_mesh *mesh, uint32_t face0, uint32_t face
            (180 / SIL_I_PI);
 }
 
+static size_t sil_i_find_many(const sil_mesh *mesh, uint32_t edge) {
+    size_t low = 0, high = mesh->many_count;
+    while (low < high) {
+        const size_t middle = low + (high - low) / 2;
+        if (mesh->many_edge[middle] < edge)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+/* An edge of many where faces without area stayed because there are no two others: a border if only one of its faces
+   takes a sign. */
+static unsigned sil_i_sliver_kinds(sil_mesh *mesh, uint32_t edge) {
+    const size_t at = sil_i_find_many(mesh, edge);
+    uint32_t i, signs = 0;
+    for (i = mesh->many_first[at]; i < mesh->many_first[at + 1]; ++i)
+        signs += sil_i_sign_face(mesh, mesh->many_face[i]) != SIL_NONE;
+    mesh->info.boundary_edge_count += signs == 1;
+    return signs == 1 ? SIL_I_MANY | (unsigned)SIL_BOUNDARY : SIL_I_MANY;
+}
+
 /* What an edge is in every view, and the counts of it. */
 static unsigned sil_i_fixed_kinds(sil_mesh *mesh, uint32_t edge, double crease) {
     const uint32_t f0 = mesh->edge_face[0][edge], f1 = mesh->edge_face[1][edge];
     const uint32_t s0 = sil_i_sign_face(mesh, f0), s1 = sil_i_sign_face(mesh, f1);
     int flipped;
     if (mesh->edge_kinds[edge] & SIL_I_MANY) {
-        if (mesh->face_flags[f0] & SIL_I_NO_AREA || mesh->face_flags[f1] & SIL_I_NO_AREA)
-            return SIL_I_MANY; /* faces without area stayed because there are no two others: not non-manifold */
+        if ((mesh->face_flags[f0] | mesh->face_flags[f1]) & SIL_I_NO_AREA)
+            return sil_i_sliver_kinds(mesh, edge);
         ++mesh->info.nonmanifold_edge_count;
         return SIL_I_MANY | SIL_NONMANIFOLD;
     }
@@ -1957,19 +1983,8 @@ static void sil_i_clear_bad_faces(const sil_mesh *mesh, const sil_i_shape *shape
                 front[i / 3] = 0;
 }
 
-static size_t sil_i_find_many(const sil_mesh *mesh, uint32_t edge) {
-    size_t low = 0, high = mesh->many_count;
-    while (low < high) {
-        const size_t middle = low + (high - low) / 2;
-        if (mesh->many_edge[middle] < edge)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    return low;
-}
-
-/* The first front and the first back face of an edge of many; faces that take no sign are neither. */
+/* The first front and the first back face of an edge of many; faces that take no sign are neither. Without an eye all
+   are backs. */
 static void sil_i_many_faces(const sil_i_signs *signs, uint32_t edge, uint32_t found[2]) {
     const sil_mesh *mesh = signs->mesh;
     const size_t at = sil_i_find_many(mesh, edge);
@@ -1991,17 +2006,16 @@ static unsigned sil_i_classify(const sil_i_signs *signs, uint32_t edge, uint32_t
     unsigned kinds = mesh->edge_kinds[edge];
     face[0] = mesh->edge_face[0][edge];
     face[1] = mesh->edge_face[1][edge];
-    if (!signs->in_view)
-        kinds &= 15u;
-    else if (kinds & SIL_I_MANY) {
+    if (kinds & SIL_I_MANY) {
         uint32_t found[2];
         sil_i_many_faces(signs, edge, found);
-        kinds &= SIL_NONMANIFOLD;
+        kinds &= SIL_NONMANIFOLD | SIL_BOUNDARY;
         if (found[0] != SIL_NONE && found[1] != SIL_NONE) {
             kinds |= SIL_SILHOUETTE;
             memcpy(face, found, sizeof found);
-        }
-    } else {
+        } else if (kinds & SIL_BOUNDARY)
+            face[0] = face[1] = found[found[0] == SIL_NONE];
+    } else if (signs->in_view) {
         const int front0 = sil_i_is_front(signs, face[0]), front1 = sil_i_is_front(signs, face[1]);
         const unsigned flags = mesh->face_flags[face[0]] & (unsigned)mesh->face_flags[face[1]];
         if (front0 != front1)
@@ -2259,7 +2273,8 @@ static uint32_t sil_i_turn(const sil_i_chains *c, uint32_t end) {
     return SIL_NONE;
 }
 
-/* Links the two ends among keys[0 .. count - 1], all at one vertex, that are the only ones of these kinds. */
+/* Links the two ends among keys[0 .. count - 1], all at one vertex, that are the only ones of these kinds. Silhouettes
+   keep their direction: an end b with an end a. */
 static void sil_i_link_kind(const sil_i_chains *c, const uint64_t *keys, size_t count, uint32_t kinds) {
     uint32_t found[2] = {0, 0};
     size_t i, matches = 0;
@@ -2271,7 +2286,7 @@ static void sil_i_link_kind(const sil_i_chains *c, const uint64_t *keys, size_t 
             found[matches] = end;
         ++matches;
     }
-    if (matches == 2) {
+    if (matches == 2 && (kinds != SIL_SILHOUETTE || (found[0] ^ found[1]) & 1u)) {
         c->link[found[0]] = found[1];
         c->link[found[1]] = found[0];
     }
@@ -2397,6 +2412,7 @@ typedef struct sil_i_segments {
     float qx[SIL_I_BLOCK], qy[SIL_I_BLOCK], qz[SIL_I_BLOCK];
     float inverse[SIL_I_BLOCK];
     uint32_t index[SIL_I_BLOCK]; /* in the caller's array */
+    float low[3], high[3];       /* box around them */
     size_t count;
 } sil_i_segments;
 
@@ -2442,6 +2458,39 @@ static void sil_i_to_frame(const sil_i_frame *frame, uint32_t vertex, double out
     }
 }
 
+static void sil_i_bound_segments(sil_i_segments *s) {
+    const float *p[3], *q[3];
+    size_t i;
+    int k;
+    p[0] = s->px;
+    p[1] = s->py;
+    p[2] = s->pz;
+    q[0] = s->qx;
+    q[1] = s->qy;
+    q[2] = s->qz;
+    for (k = 0; k < 3; ++k) {
+        s->low[k] = s->high[k] = p[k][0];
+        for (i = 0; i < s->count; ++i) {
+            const float less = p[k][i] < q[k][i] ? p[k][i] : q[k][i], more = p[k][i] < q[k][i] ? q[k][i] : p[k][i];
+            s->low[k] = less < s->low[k] ? less : s->low[k];
+            s->high[k] = more > s->high[k] ? more : s->high[k];
+        }
+    }
+}
+
+/* Is the whole block further away than the nearest so far? The margin, in units of the mesh's size, is more than the
+   rounding of a distance, so that leaving the block out changes nothing. Endless lines are never out of reach. */
+static int sil_i_out_of_reach(const sil_i_segments *s, const float v[3], float best) {
+    float square = 0;
+    int k;
+    for (k = 0; k < 3; ++k) {
+        const float below = s->low[k] - v[k], above = v[k] - s->high[k];
+        const float d = below > 0 ? below : above > 0 ? above : 0;
+        square += d * d;
+    }
+    return !s->endless && square > best * 1.0001f + 1e-7f;
+}
+
 /* The next block of edges, from edges[*next]; the rest of a last block repeats its last segment. */
 static void sil_i_load_segments(const sil_mesh *mesh, const sil_i_frame *frame, const sil_edge *edges,
                                 size_t edge_count, size_t *next, sil_i_segments *s) {
@@ -2468,6 +2517,7 @@ static void sil_i_load_segments(const sil_mesh *mesh, const sil_i_frame *frame, 
         s->index[n++] = (uint32_t)*next;
     }
     s->count = n;
+    sil_i_bound_segments(s);
     for (; n && n < SIL_I_BLOCK; ++n) {
         s->px[n] = s->px[n - 1];
         s->py[n] = s->py[n - 1];
@@ -2480,37 +2530,41 @@ static void sil_i_load_segments(const sil_mesh *mesh, const sil_i_frame *frame, 
     }
 }
 
-/* Squared distances of one point to a block. The foot is (1 - t) * p + t * q relative to the point, which is exactly p
-   or q at the ends: segments that share an end where it is the nearest point then tie exactly. */
+/* Squared distances of one point to a block. The foot is m * p + t * q relative to the point, with m + t = 1, and
+   exactly p or q at the ends: segments that share an end where it is the nearest point then tie exactly. The larger of a
+   number and 0 is written as half its sum with its magnitude, which is exact, and has no branch: compilers then make
+   vector code of it at -O2 too. */
 static void sil_i_squares(const sil_i_segments *s, const float v[3], float square[SIL_I_BLOCK]) {
     const float x = v[0], y = v[1], z = v[2];
+    float feet[SIL_I_BLOCK], ends[SIL_I_BLOCK];
     size_t i;
     for (i = 0; i < SIL_I_BLOCK; ++i) {
         const float px = s->px[i] - x, py = s->py[i] - y, pz = s->pz[i] - z;
         const float qx = s->qx[i] - x, qy = s->qy[i] - y, qz = s->qz[i] - z;
         const float ex = s->qx[i] - s->px[i], ey = s->qy[i] - s->py[i], ez = s->qz[i] - s->pz[i];
-        const float end = qx * qx + qy * qy + qz * qz;
-        float t = -(px * ex + py * ey + pz * ez) * s->inverse[i], rx, ry, rz, foot;
-        t = t > 0 ? t : 0;
-        t = t < 1 ? t : 1;
-        rx = (1 - t) * px + t * qx;
-        ry = (1 - t) * py + t * qy;
-        rz = (1 - t) * pz + t * qz;
-        foot = rx * rx + ry * ry + rz * rz;
-        square[i] = end < foot ? end : foot; /* exactly 0 at both ends, though t is rounded */
+        const float along = -(px * ex + py * ey + pz * ez) * s->inverse[i];
+        const float rest = 1 - 0.5f * (along + fabsf(along));
+        const float m = 0.5f * (rest + fabsf(rest)), t = 1 - m;
+        const float rx = m * px + t * qx, ry = m * py + t * qy, rz = m * pz + t * qz;
+        feet[i] = rx * rx + ry * ry + rz * rz;
+        ends[i] = qx * qx + qy * qy + qz * qz;
     }
+    for (i = 0; i < SIL_I_BLOCK; ++i) /* exactly 0 at q, though t is rounded */
+        square[i] = ends[i] < feet[i] ? ends[i] : feet[i];
 }
 
 /* The same for endless lines: q is the direction, a unit vector or zero. */
 static void sil_i_squares_endless(const sil_i_segments *s, const float v[3], float square[SIL_I_BLOCK]) {
     const float x = v[0], y = v[1], z = v[2];
+    float result[SIL_I_BLOCK]; /* of its own, so that compilers know that it is no part of s */
     size_t i;
     for (i = 0; i < SIL_I_BLOCK; ++i) {
         const float px = s->px[i] - x, py = s->py[i] - y, pz = s->pz[i] - z;
         const float t = px * s->qx[i] + py * s->qy[i] + pz * s->qz[i];
         const float rx = px - t * s->qx[i], ry = py - t * s->qy[i], rz = pz - t * s->qz[i];
-        square[i] = rx * rx + ry * ry + rz * rz;
+        result[i] = rx * rx + ry * ry + rz * rz;
     }
+    memcpy(square, result, sizeof result);
 }
 
 static float sil_i_least(const float square[SIL_I_BLOCK]) {
@@ -2571,6 +2625,8 @@ SIL_DEF sil_result sil_distances(const sil_mesh *mesh, const sil_pose *pose, con
             sil_i_to_frame(&frame, vertex, p);
             for (k = 0; k < 3; ++k)
                 v[k] = (float)p[k];
+            if (sil_i_out_of_reach(&segments, v, distances[i]))
+                continue;
             if (segments.endless)
                 sil_i_squares_endless(&segments, v, square);
             else
@@ -2674,8 +2730,8 @@ static void sil_i_pen_fan(sil_i_pen *pen, const sil_i_spot *spot, const double n
 }
 
 static int sil_i_pen_parts(const sil_i_pen *pen, double angle) {
-    const int parts = (int)ceil(sil_i_abs(angle) / pen->step);
-    return parts < 1 ? 1 : parts;
+    const double parts = ceil(sil_i_abs(angle) / pen->step);
+    return parts < 1 ? 1 : (int)parts;
 }
 
 static void sil_i_pen_cap(sil_i_pen *pen, const sil_i_spot *spot, double dx, double dy) {

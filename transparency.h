@@ -23,6 +23,7 @@
     --8<-- quick start
     #define TRANSPARENCY_IMPLEMENTATION
     #include "transparency.h"
+    #include <string.h>
 
     extern tr_proc get_proc(const char *name);                       // eglGetProcAddress, glfwGetProcAddress, ...
     extern void draw_my_mesh(int index);                             // binds a vertex array, calls glDrawElements
@@ -49,7 +50,8 @@
         while (tr_next_pass(tr, &pass))
             for (i = 0; i < 2; ++i)
                 if (pass.lines == 0 && tr_pass_draws(&pass, &objects[i])) {
-                    tr_material material = {{0}};
+                    tr_material material;
+                    memset(&material, 0, sizeof material);
                     my_matrices(i, material.model_view_projection, material.normal_matrix);
                     material.object = objects[i].id;
                     material.color[0] = material.color[1] = material.color[2] = 0.7f;
@@ -126,10 +128,12 @@
 
 #define TR_VERSION 100 /* major * 10000 + minor * 100 + patch */
 
-#ifdef TR_STATIC
-#define TR_DEF static
-#else
+#ifndef TR_STATIC
 #define TR_DEF extern
+#elif defined(__GNUC__) || defined(__TINYC__)
+#define TR_DEF static __attribute__((unused))
+#else
+#define TR_DEF static
 #endif
 
 #ifdef __cplusplus
@@ -168,7 +172,7 @@ typedef enum tr_log_level { TR_LOG_ERROR, TR_LOG_WARNING, TR_LOG_INFO } tr_log_l
 typedef void (*tr_proc)(void);
 
 typedef struct tr_desc {
-    tr_proc (*get_proc)(const char *name); /* required, except with TR_GL_STATIC */
+    tr_proc (*get_proc)(const char *name);      /* required, except with TR_GL_STATIC */
     void *(*alloc_fn)(size_t size, void *user); /* both or neither */
     void (*free_fn)(void *block, void *user);
     void *alloc_user;
@@ -202,9 +206,9 @@ typedef struct tr_scene {
 } tr_scene;
 
 typedef enum tr_interior {
-    TR_INTERIOR_IMPLICIT,           /* Diepstraten 6.1 (method I), mended: opaque things show up to the next back face */
+    TR_INTERIOR_IMPLICIT, /* Diepstraten 6.1 (method I), mended: opaque things show up to the next back face */
     TR_INTERIOR_IMPLICIT_PUBLISHED, /* the same as the paper has it, with its two faults: see docs/transparency.md */
-    TR_INTERIOR_EXPLICIT            /* Diepstraten 6.2 (method II): up to the next front face; for modelled inner walls */
+    TR_INTERIOR_EXPLICIT /* Diepstraten 6.2 (method II): up to the next front face; for modelled inner walls */
 } tr_interior;
 
 /* alpha and C of the transparent surface; w: weight of what is behind it, D: its colour. */
@@ -223,7 +227,7 @@ typedef struct tr_wishes {
 } tr_wishes;
 
 typedef struct tr_frame {
-    uint32_t framebuffer;    /* target; single-sampled; its first colour attachment is drawn, depth tested if it has any */
+    uint32_t framebuffer; /* target; single-sampled; its first colour attachment is drawn, depth tested if it has any */
     int x, y, width, height; /* viewport within the target, pixels */
     tr_scene scene;
     tr_wishes wishes;
@@ -231,12 +235,12 @@ typedef struct tr_frame {
     float background_weight; /* w of the target's own content; 0: default 0.5 (Diepstraten 7); negative: 0 */
     /* Built-in shading. All zeros: cool-to-warm with the default ends; flat_shading: the object's colour as it is. */
     int flat_shading;
-    float light[3];              /* toward the light, any length, in the space of the normals; zero: (-0.45, 0.65, 0.62) */
-    float cool[4], warm[4];      /* rgb, and the amount of the object's colour in it; both zero: defaults */
-    float crease_color[3];       /* ink; zero: white (Gooch 1999, figure 9) unless black_creases */
+    float light[3];         /* toward the light, any length, in the space of the normals; zero: (-0.45, 0.65, 0.62) */
+    float cool[4], warm[4]; /* rgb, and the amount of the object's colour in it; both zero: defaults */
+    float crease_color[3];  /* ink; zero: white (Gooch 1999, figure 9) unless black_creases */
     int black_creases;
-    float outline_color[3];      /* zero: black */
-    float line_tolerance;        /* depth tolerance of lines in pixels toward the eye; 0: default 2 */
+    float outline_color[3]; /* zero: black */
+    float line_tolerance;   /* depth tolerance of lines in pixels toward the eye; 0: default 2 */
 } tr_frame;
 
 /* ---- the plan --------------------------------------------------------------------------------------------------- */
@@ -271,11 +275,11 @@ typedef enum tr_rule {
 
 typedef struct tr_plan_pass {
     tr_pass_kind kind;
-    tr_rule rule;      /* of surface passes */
-    uint32_t classes;  /* which objects: bit (flags of tr_object) */
-    uint32_t lines;    /* 0: surfaces; else which lines */
+    tr_rule rule;                 /* of surface passes */
+    uint32_t classes;             /* which objects: bit (flags of tr_object) */
+    uint32_t lines;               /* 0: surfaces; else which lines */
     int clear_color, clear_depth; /* 1: the first to draw there */
-    int cull;          /* 0: nothing, 1: back faces, 2: front faces */
+    int cull;                     /* 0: nothing, 1: back faces, 2: front faces */
     const char *why;
 } tr_plan_pass;
 
@@ -301,10 +305,10 @@ TR_DEF tr_scene tr_scene_count(const void *objects, size_t count, size_t stride)
 typedef struct tr_state {
     uint32_t framebuffer;
     int viewport[4];
-    uint32_t program;        /* built-in; the host's own may stand in for it in surface passes */
-    uint32_t vertex_array;   /* of full-screen passes */
-    int vertex_count;        /* 3: the host draws glDrawArrays(GL_TRIANGLES, 0, 3); 0: the host draws its objects */
-    uint32_t textures[5];    /* GL_TEXTURE_2D on unit first_texture_unit + i, no sampler object; 0: not read */
+    uint32_t program;      /* built-in; the host's own may stand in for it in surface passes */
+    uint32_t vertex_array; /* of full-screen passes */
+    int vertex_count;      /* 3: the host draws glDrawArrays(GL_TRIANGLES, 0, 3); 0: the host draws its objects */
+    uint32_t textures[5];  /* GL_TEXTURE_2D on unit first_texture_unit + i, no sampler object; 0: not read */
     int first_texture_unit;
     uint32_t uniform_buffer; /* bound to uniform_binding */
     int uniform_binding;
@@ -315,7 +319,7 @@ typedef struct tr_state {
     uint32_t depth_func;
     int blend;
     uint32_t blend_source, blend_destination, blend_source_alpha, blend_destination_alpha; /* equation: add */
-    uint32_t cull_face; /* 0: none */
+    uint32_t cull_face;                                                                    /* 0: none */
     uint32_t front_face;
 } tr_state;
 
@@ -360,9 +364,9 @@ TR_DEF const char *const *tr_glsl(const tr_context *tr, tr_stage stage, tr_rule 
 TR_DEF tr_result tr_prepare_program(tr_context *tr, uint32_t program);
 
 typedef struct tr_info {
-    int es;           /* 1: OpenGL ES */
-    int version;      /* 330 for 3.3; after desc.max_gl_version */
-    uint64_t bytes;   /* of GL textures held now */
+    int es;              /* 1: OpenGL ES */
+    int version;         /* 330 for 3.3; after desc.max_gl_version */
+    uint64_t bytes;      /* of GL textures held now */
     const tr_plan *plan; /* of the last tr_begin */
 } tr_info;
 TR_DEF tr_info tr_get_info(const tr_context *tr);
@@ -393,7 +397,7 @@ TR_DEF float tr_view_alpha(float d, float d_max, float k);
 #endif
 
 #ifdef TR_STATIC
-#define TR_I_API static
+#define TR_I_API TR_DEF
 #else
 #define TR_I_API
 #endif
@@ -817,6 +821,8 @@ static const char *const tr_i_shader_surface_vertex_glsl[] = {
 #define TR_I_GL_PIXEL_UNPACK_BUFFER_BINDING 0x88EFu
 #define TR_I_GL_POLYGON_MODE 0x0B40u
 #define TR_I_GL_POLYGON_OFFSET_FILL 0x8037u
+#define TR_I_GL_POLYGON_OFFSET_LINE 0x2A02u
+#define TR_I_GL_POLYGON_OFFSET_POINT 0x2A01u
 #define TR_I_GL_RASTERIZER_DISCARD 0x8C89u
 #define TR_I_GL_READ_FRAMEBUFFER 0x8CA8u
 #define TR_I_GL_READ_FRAMEBUFFER_BINDING 0x8CAAu
@@ -993,7 +999,7 @@ typedef struct tr_i_block {
 
 #define TR_I_MAX_DRAW_BUFFERS 8
 #define TR_I_MAX_CLIP_DISTANCES 8
-#define TR_I_CAP_COUNT 12
+#define TR_I_CAP_COUNT 14
 
 /* State that a frame changes: exactly what TR_STATE_RESTORE puts back. */
 typedef struct tr_i_snapshot {
@@ -1026,7 +1032,7 @@ struct tr_context {
     tr_i_snapshot saved;
     tr_frame frame;
     tr_plan plan;
-    int next_pass;      /* of the plan */
+    int next_pass; /* of the plan */
     int in_frame;
 };
 
@@ -1037,8 +1043,7 @@ typedef struct tr_i_text {
     size_t capacity, length;
 } tr_i_text;
 
-static void tr_i_put(tr_i_text *text, const char *string)
-{
+static void tr_i_put(tr_i_text *text, const char *string) {
     for (; *string; ++string) {
         if (text->length + 1 < text->capacity)
             text->at[text->length] = *string;
@@ -1048,8 +1053,7 @@ static void tr_i_put(tr_i_text *text, const char *string)
         text->at[text->length < text->capacity ? text->length : text->capacity - 1] = 0;
 }
 
-static void tr_i_put_number(tr_i_text *text, uint64_t number)
-{
+static void tr_i_put_number(tr_i_text *text, uint64_t number) {
     char digits[21];
     int at = 20;
     digits[20] = 0;
@@ -1060,8 +1064,7 @@ static void tr_i_put_number(tr_i_text *text, uint64_t number)
     tr_i_put(text, digits + at);
 }
 
-static tr_i_text tr_i_text_in(char *at, size_t capacity)
-{
+static tr_i_text tr_i_text_in(char *at, size_t capacity) {
     tr_i_text text;
     text.at = at;
     text.capacity = capacity;
@@ -1071,8 +1074,7 @@ static tr_i_text tr_i_text_in(char *at, size_t capacity)
     return text;
 }
 
-static void tr_i_log(const tr_desc *desc, tr_log_level level, tr_result code, const char *what, const char *detail)
-{
+static void tr_i_log(const tr_desc *desc, tr_log_level level, tr_result code, const char *what, const char *detail) {
     char buffer[2400];
     tr_i_text text = tr_i_text_in(buffer, sizeof buffer);
     if (!desc->log_fn)
@@ -1086,16 +1088,14 @@ static void tr_i_log(const tr_desc *desc, tr_log_level level, tr_result code, co
     desc->log_fn(level, code, buffer, desc->log_user);
 }
 
-static tr_result tr_i_fail(const tr_desc *desc, tr_result code, const char *detail)
-{
+static tr_result tr_i_fail(const tr_desc *desc, tr_result code, const char *detail) {
     tr_i_log(desc, TR_LOG_ERROR, code, tr_result_string(code), detail);
     return code;
 }
 
 /* ---- plans ------------------------------------------------------------------------------------------------------ */
 
-TR_I_API const char *tr_result_string(tr_result result)
-{
+TR_I_API const char *tr_result_string(tr_result result) {
     static const char *const texts[] = {
 #define TR_I_TEXT(name, text) text,
         TR_RESULTS(TR_I_TEXT)
@@ -1104,25 +1104,31 @@ TR_I_API const char *tr_result_string(tr_result result)
     return (unsigned)result < (unsigned)TR_RESULT_COUNT ? texts[result] : "unknown result";
 }
 
-TR_I_API const char *tr_pass_kind_name(tr_pass_kind kind)
-{
+TR_I_API const char *tr_pass_kind_name(tr_pass_kind kind) {
     static const char *const names[] = {"front",        "owner",   "limit",   "opaque",           "copy depth",
                                         "opaque lines", "blended", "compose", "transparent lines"};
     return (unsigned)kind < (unsigned)TR_PASS_KIND_COUNT ? names[kind] : "unknown pass";
 }
 
-TR_I_API tr_scene tr_scene_count(const void *objects, size_t count, size_t stride)
-{
+TR_I_API tr_scene tr_scene_count(const void *objects, size_t count, size_t stride) {
     tr_scene counts = {0, 0, 0, 0};
     size_t i;
     for (i = 0; objects && i < count; ++i) {
         tr_object object;
         memcpy(&object, (const char *)objects + i * stride, sizeof object);
         switch (object.flags & (TR_TRANSPARENT | TR_TWO_SIDED)) {
-        case TR_OPAQUE: ++counts.opaque; break;
-        case TR_TWO_SIDED: ++counts.opaque_two_sided; break;
-        case TR_TRANSPARENT: ++counts.transparent; break;
-        default: ++counts.transparent_two_sided; break;
+        case TR_OPAQUE:
+            ++counts.opaque;
+            break;
+        case TR_TWO_SIDED:
+            ++counts.opaque_two_sided;
+            break;
+        case TR_TRANSPARENT:
+            ++counts.transparent;
+            break;
+        default:
+            ++counts.transparent_two_sided;
+            break;
         }
     }
     return counts;
@@ -1132,8 +1138,7 @@ TR_I_API tr_scene tr_scene_count(const void *objects, size_t count, size_t strid
 #define TR_I_ALL_OPAQUE (TR_I_CLASS(TR_OPAQUE) | TR_I_CLASS(TR_TWO_SIDED))
 #define TR_I_ALL_TRANSPARENT (TR_I_CLASS(TR_TRANSPARENT) | TR_I_CLASS(TR_TRANSPARENT | TR_TWO_SIDED))
 
-static tr_plan_pass *tr_i_add_pass(tr_plan *plan, tr_pass_kind kind, const char *why)
-{
+static tr_plan_pass *tr_i_add_pass(tr_plan *plan, tr_pass_kind kind, const char *why) {
     tr_plan_pass *pass = &plan->passes[plan->pass_count];
     memset(pass, 0, sizeof *pass);
     pass->kind = kind;
@@ -1144,8 +1149,7 @@ static tr_plan_pass *tr_i_add_pass(tr_plan *plan, tr_pass_kind kind, const char 
 
 /* One pass for closed objects, back faces culled, and one for sheets, if there are any. */
 static void tr_i_add_surfaces(tr_plan *plan, tr_pass_kind kind, tr_rule rule, uint32_t closed, uint32_t sheets,
-                              uint32_t flags, const char *why)
-{
+                              uint32_t flags, const char *why) {
     tr_plan_pass *pass;
     if (closed) {
         pass = tr_i_add_pass(plan, kind, why);
@@ -1160,9 +1164,9 @@ static void tr_i_add_surfaces(tr_plan *plan, tr_pass_kind kind, tr_rule rule, ui
     }
 }
 
-static void tr_i_add_lines(tr_plan *plan, tr_pass_kind kind, uint32_t lines, uint32_t classes)
-{
-    static const char *const why[2] = {"creases first: outlines are drawn over them", "outlines over surfaces and creases"};
+static void tr_i_add_lines(tr_plan *plan, tr_pass_kind kind, uint32_t lines, uint32_t classes) {
+    static const char *const why[2] = {"creases first: outlines are drawn over them",
+                                       "outlines over surfaces and creases"};
     uint32_t i;
     for (i = 0; i < 2; ++i) {
         if (lines & (1u << i)) {
@@ -1174,8 +1178,7 @@ static void tr_i_add_lines(tr_plan *plan, tr_pass_kind kind, uint32_t lines, uin
 }
 
 /* Where opaque things stop to show: SCENE_DEPTH before anything opaque is drawn into it. */
-static void tr_i_add_limit(tr_plan *plan, const tr_scene *counts, const tr_wishes *wishes, int alone)
-{
+static void tr_i_add_limit(tr_plan *plan, const tr_scene *counts, const tr_wishes *wishes, int alone) {
     tr_plan_pass *pass;
     int published = wishes->interior == TR_INTERIOR_IMPLICIT_PUBLISHED;
     if (wishes->interior == TR_INTERIOR_EXPLICIT) {
@@ -1200,8 +1203,7 @@ static void tr_i_add_limit(tr_plan *plan, const tr_scene *counts, const tr_wishe
 }
 
 /* Which textures each kind of pass draws into; who clears them; what they weigh. */
-static void tr_i_plan_textures(tr_plan *plan)
-{
+static void tr_i_plan_textures(tr_plan *plan) {
     static const uint32_t by_kind[TR_PASS_KIND_COUNT] = {1u << TR_I_FRONT_DEPTH,
                                                          1u << TR_I_FRONT_OWNER,
                                                          1u << TR_I_SCENE_DEPTH,
@@ -1225,8 +1227,7 @@ static void tr_i_plan_textures(tr_plan *plan)
         plan->bytes_per_pixel += 4 * ((plan->textures >> i) & 1u);
 }
 
-TR_I_API tr_result tr_plan_make(const tr_scene *counts, const tr_wishes *wishes, tr_plan *plan)
-{
+TR_I_API tr_result tr_plan_make(const tr_scene *counts, const tr_wishes *wishes, tr_plan *plan) {
     uint32_t transparent, opaque;
     int alone;
     if (!counts || !wishes || !plan || (unsigned)wishes->interior > TR_INTERIOR_EXPLICIT ||
@@ -1268,8 +1269,7 @@ TR_I_API tr_result tr_plan_make(const tr_scene *counts, const tr_wishes *wishes,
     return TR_OK;
 }
 
-TR_I_API size_t tr_plan_print(const tr_plan *plan, char *string, size_t capacity)
-{
+TR_I_API size_t tr_plan_print(const tr_plan *plan, char *string, size_t capacity) {
     static const char *const classes[4] = {"opaque", "transparent", "opaque two-sided", "transparent two-sided"};
     tr_i_text text = tr_i_text_in(string, string ? capacity : 0);
     int i, c;
@@ -1295,8 +1295,7 @@ TR_I_API size_t tr_plan_print(const tr_plan *plan, char *string, size_t capacity
     return text.length;
 }
 
-TR_I_API float tr_view_alpha(float d, float d_max, float k)
-{
+TR_I_API float tr_view_alpha(float d, float d_max, float k) {
     float ratio, alpha;
     if (!(d > 0.0f) || !(d_max > 0.0f))
         return 1.0f;
@@ -1319,31 +1318,36 @@ typedef struct tr_i_cap {
 } tr_i_cap;
 
 static const tr_i_cap tr_i_caps[TR_I_CAP_COUNT] = {
-    {TR_I_GL_STENCIL_TEST, 330, 300},        {TR_I_GL_SCISSOR_TEST, 330, 300},
-    {TR_I_GL_DITHER, 330, 300},              {TR_I_GL_POLYGON_OFFSET_FILL, 330, 300},
-    {TR_I_GL_SAMPLE_ALPHA_TO_COVERAGE, 330, 300}, {TR_I_GL_SAMPLE_COVERAGE, 330, 300},
-    {TR_I_GL_RASTERIZER_DISCARD, 330, 300},  {TR_I_GL_COLOR_LOGIC_OP, 330, 0},
-    {TR_I_GL_DEPTH_CLAMP, 330, 0},           {TR_I_GL_SAMPLE_MASK, 330, 310},
-    {TR_I_GL_DEPTH_TEST, 330, 300},          {TR_I_GL_CULL_FACE, 330, 300},
+    {TR_I_GL_STENCIL_TEST, 330, 300},
+    {TR_I_GL_SCISSOR_TEST, 330, 300},
+    {TR_I_GL_DITHER, 330, 300},
+    {TR_I_GL_POLYGON_OFFSET_FILL, 330, 300},
+    {TR_I_GL_POLYGON_OFFSET_LINE, 330, 0}, /* not only for lines: Mesa 22 offsets clipped polygons by it */
+    {TR_I_GL_POLYGON_OFFSET_POINT, 330, 0},
+    {TR_I_GL_SAMPLE_ALPHA_TO_COVERAGE, 330, 300},
+    {TR_I_GL_SAMPLE_COVERAGE, 330, 300},
+    {TR_I_GL_RASTERIZER_DISCARD, 330, 300},
+    {TR_I_GL_COLOR_LOGIC_OP, 330, 0},
+    {TR_I_GL_DEPTH_CLAMP, 330, 0},
+    {TR_I_GL_SAMPLE_MASK, 330, 310},
+    {TR_I_GL_DEPTH_TEST, 330, 300},
+    {TR_I_GL_CULL_FACE, 330, 300},
 };
-#define TR_I_CAPS_OFF 10
+#define TR_I_CAPS_OFF 12
 
-static int tr_i_has_cap(const tr_context *tr, int index)
-{
+static int tr_i_has_cap(const tr_context *tr, int index) {
     int since = tr->es ? tr_i_caps[index].es : tr_i_caps[index].desktop;
     return since != 0 && tr->version >= since;
 }
 
-static void tr_i_switch(const tr_context *tr, tr_i_u cap, int on)
-{
+static void tr_i_switch(const tr_context *tr, tr_i_u cap, int on) {
     if (on)
         tr->gl.Enable(cap);
     else
         tr->gl.Disable(cap);
 }
 
-static void tr_i_save_blend(const tr_context *tr, tr_i_snapshot *saved)
-{
+static void tr_i_save_blend(const tr_context *tr, tr_i_snapshot *saved) {
     static const tr_i_u names[6] = {TR_I_GL_BLEND_SRC_RGB,   TR_I_GL_BLEND_DST_RGB,      TR_I_GL_BLEND_SRC_ALPHA,
                                     TR_I_GL_BLEND_DST_ALPHA, TR_I_GL_BLEND_EQUATION_RGB, TR_I_GL_BLEND_EQUATION_ALPHA};
     int i;
@@ -1363,8 +1367,7 @@ static void tr_i_save_blend(const tr_context *tr, tr_i_snapshot *saved)
     }
 }
 
-static void tr_i_save_bindings(const tr_context *tr, tr_i_snapshot *saved)
-{
+static void tr_i_save_bindings(const tr_context *tr, tr_i_snapshot *saved) {
     const tr_i_gl *gl = &tr->gl;
     tr_i_u binding = (tr_i_u)tr->desc.uniform_binding;
     int i;
@@ -1387,8 +1390,7 @@ static void tr_i_save_bindings(const tr_context *tr, tr_i_snapshot *saved)
     gl->ActiveTexture((tr_i_u)saved->active_texture);
 }
 
-static void tr_i_save(const tr_context *tr, tr_i_snapshot *saved)
-{
+static void tr_i_save(const tr_context *tr, tr_i_snapshot *saved) {
     const tr_i_gl *gl = &tr->gl;
     int i;
     memset(saved, 0, sizeof *saved);
@@ -1410,8 +1412,7 @@ static void tr_i_save(const tr_context *tr, tr_i_snapshot *saved)
 }
 
 /* What a fresh context would have saved, for TR_STATE_LEAVE_DEFAULTS. */
-static void tr_i_save_defaults(const tr_context *tr, tr_i_snapshot *saved)
-{
+static void tr_i_save_defaults(const tr_context *tr, tr_i_snapshot *saved) {
     memset(saved, 0, sizeof *saved);
     memset(saved->color_masks, 1, sizeof saved->color_masks);
     memcpy(saved->viewport, tr->saved.viewport, sizeof saved->viewport);
@@ -1428,8 +1429,7 @@ static void tr_i_save_defaults(const tr_context *tr, tr_i_snapshot *saved)
 }
 
 static void tr_i_set_blend(const tr_context *tr, int on, tr_i_u source, tr_i_u destination, tr_i_u source_alpha,
-                           tr_i_u destination_alpha, tr_i_u equation, tr_i_u equation_alpha)
-{
+                           tr_i_u destination_alpha, tr_i_u equation, tr_i_u equation_alpha) {
     if (!tr->has_indexed)
         tr_i_switch(tr, TR_I_GL_BLEND, on);
     else if (on)
@@ -1445,16 +1445,14 @@ static void tr_i_set_blend(const tr_context *tr, int on, tr_i_u source, tr_i_u d
     }
 }
 
-static void tr_i_set_depth_range(const tr_context *tr, float first, float last)
-{
+static void tr_i_set_depth_range(const tr_context *tr, float first, float last) {
     if (tr->es)
         tr->gl.DepthRangef(first, last);
     else
         tr->gl.DepthRange((double)first, (double)last);
 }
 
-static void tr_i_restore_bindings(const tr_context *tr, const tr_i_snapshot *saved)
-{
+static void tr_i_restore_bindings(const tr_context *tr, const tr_i_snapshot *saved) {
     const tr_i_gl *gl = &tr->gl;
     tr_i_u binding = (tr_i_u)tr->desc.uniform_binding;
     int i;
@@ -1481,8 +1479,7 @@ static void tr_i_restore_bindings(const tr_context *tr, const tr_i_snapshot *sav
     gl->ActiveTexture((tr_i_u)saved->active_texture);
 }
 
-static void tr_i_restore(const tr_context *tr, const tr_i_snapshot *saved)
-{
+static void tr_i_restore(const tr_context *tr, const tr_i_snapshot *saved) {
     const tr_i_gl *gl = &tr->gl;
     int i;
     tr_i_restore_bindings(tr, saved);
@@ -1511,8 +1508,7 @@ static void tr_i_restore(const tr_context *tr, const tr_i_snapshot *saved)
     }
 }
 
-static void tr_i_bind_textures(const tr_context *tr, const tr_state *state)
-{
+static void tr_i_bind_textures(const tr_context *tr, const tr_state *state) {
     int i;
     for (i = 0; i < TR_I_UNIT_COUNT; ++i) {
         tr_i_u unit = (tr_i_u)(state->first_texture_unit + i);
@@ -1523,8 +1519,7 @@ static void tr_i_bind_textures(const tr_context *tr, const tr_state *state)
     }
 }
 
-static void tr_i_mask_colors(const tr_context *tr, int first)
-{
+static void tr_i_mask_colors(const tr_context *tr, int first) {
     int i;
     unsigned char on = (unsigned char)first;
     if (!tr->has_indexed) {
@@ -1536,8 +1531,7 @@ static void tr_i_mask_colors(const tr_context *tr, int first)
 }
 
 /* Makes the context's state what the pass says, whatever it was. */
-static void tr_i_apply(const tr_context *tr, const tr_state *state)
-{
+static void tr_i_apply(const tr_context *tr, const tr_state *state) {
     const tr_i_gl *gl = &tr->gl;
     int i;
     for (i = 0; i < TR_I_CAPS_OFF; ++i)
@@ -1576,26 +1570,23 @@ typedef struct tr_i_source {
     int count;
 } tr_i_source;
 
-static void tr_i_add(tr_i_source *source, const char *string)
-{
+static void tr_i_add(tr_i_source *source, const char *string) {
     if (source->count < TR_I_MAX_STRINGS)
         source->strings[source->count++] = string;
 }
 
-static void tr_i_add_chunks(tr_i_source *source, tr_i_strings chunks)
-{
+static void tr_i_add_chunks(tr_i_source *source, tr_i_strings chunks) {
     for (; *chunks; ++chunks)
         tr_i_add(source, *chunks);
 }
 
-static void tr_i_add_preamble(tr_i_source *source, int es, int reversed_z)
-{
+static void tr_i_add_preamble(tr_i_source *source, int es, int reversed_z) {
     tr_i_add(source, es ? "#version 300 es\nprecision highp float;\nprecision highp int;\n" : "#version 330 core\n");
-    tr_i_add(source, reversed_z ? "#define TR_REVERSED_Z 1\n#define TR_CLEAR_DEPTH 0.0\n" : "#define TR_CLEAR_DEPTH 1.0\n");
+    tr_i_add(source,
+             reversed_z ? "#define TR_REVERSED_Z 1\n#define TR_CLEAR_DEPTH 0.0\n" : "#define TR_CLEAR_DEPTH 1.0\n");
 }
 
-static void tr_i_add_rule(tr_i_source *source, int rule)
-{
+static void tr_i_add_rule(tr_i_source *source, int rule) {
     static const char *const rules[TR_RULE_COUNT] = {
         "#define TR_RULE 0\n", "#define TR_RULE 1\n", "#define TR_RULE 2\n", "#define TR_RULE 3\n",
         "#define TR_RULE 4\n", "#define TR_RULE 5\n", "#define TR_RULE 6\n", "#define TR_RULE 7\n"};
@@ -1604,8 +1595,7 @@ static void tr_i_add_rule(tr_i_source *source, int rule)
 }
 
 /* What a host's shader begins with, and the built-in surface programs too. */
-static void tr_i_host_source(tr_i_source *source, tr_stage stage, int rule, int es, int reversed_z)
-{
+static void tr_i_host_source(tr_i_source *source, tr_stage stage, int rule, int es, int reversed_z) {
     source->count = 0;
     tr_i_add_preamble(source, es, reversed_z);
     tr_i_add_rule(source, rule);
@@ -1618,8 +1608,7 @@ static void tr_i_host_source(tr_i_source *source, tr_stage stage, int rule, int 
     }
 }
 
-static void tr_i_compose_source(tr_i_source *source, int variant)
-{
+static void tr_i_compose_source(tr_i_source *source, int variant) {
     static const char *const blendings[3] = {"#define TR_BLENDING 0\n", "#define TR_BLENDING 1\n",
                                              "#define TR_BLENDING 2\n"};
     tr_i_add(source, variant == 0 || variant > 3 ? "#define TR_HAS_OPAQUE 1\n" : "#define TR_HAS_OPAQUE 0\n");
@@ -1629,8 +1618,7 @@ static void tr_i_compose_source(tr_i_source *source, int variant)
     tr_i_add_chunks(source, tr_i_shader_compose_frag);
 }
 
-static void tr_i_line_source(tr_i_source *source, tr_stage stage, int variant)
-{
+static void tr_i_line_source(tr_i_source *source, tr_stage stage, int variant) {
     tr_i_add(source, variant & 1 ? "#define TR_INK 1\n" : "#define TR_INK 0\n");
     tr_i_add(source, variant & 2 ? "#define TR_ON_TARGET 1\n" : "#define TR_ON_TARGET 0\n");
     tr_i_add_chunks(source, tr_i_shader_frame_block_glsl);
@@ -1638,8 +1626,7 @@ static void tr_i_line_source(tr_i_source *source, tr_stage stage, int variant)
 }
 
 /* The whole text of one stage of a built-in program. */
-static void tr_i_program_source(tr_i_source *source, int program, tr_stage stage, int es, int reversed_z)
-{
+static void tr_i_program_source(tr_i_source *source, int program, tr_stage stage, int es, int reversed_z) {
     if (program < TR_I_PROGRAM_COPY_DEPTH) {
         tr_i_host_source(source, stage, program, es, reversed_z);
         if (stage == TR_FRAGMENT && program >= (int)TR_RULE_OPAQUE)
@@ -1659,8 +1646,7 @@ static void tr_i_program_source(tr_i_source *source, int program, tr_stage stage
         tr_i_compose_source(source, program - TR_I_PROGRAM_COMPOSE);
 }
 
-static tr_i_u tr_i_compile(tr_context *tr, int program, tr_stage stage)
-{
+static tr_i_u tr_i_compile(tr_context *tr, int program, tr_stage stage) {
     tr_i_source source;
     char log[2048] = "";
     int32_t ok = 0;
@@ -1675,14 +1661,14 @@ static tr_i_u tr_i_compile(tr_context *tr, int program, tr_stage stage)
         return shader;
     tr->gl.GetShaderInfoLog(shader, (int32_t)sizeof log, 0, log);
     tr_i_log(&tr->desc, TR_LOG_ERROR, TR_SHADER_FAILED,
-             stage == TR_VERTEX ? "built-in vertex shader does not compile" : "built-in fragment shader does not compile",
+             stage == TR_VERTEX ? "built-in vertex shader does not compile"
+                                : "built-in fragment shader does not compile",
              log);
     tr->gl.DeleteShader(shader);
     return 0;
 }
 
-static tr_i_u tr_i_link(tr_context *tr, int index)
-{
+static tr_i_u tr_i_link(tr_context *tr, int index) {
     char log[2048] = "";
     int32_t ok = 0;
     tr_i_u vertex = tr_i_compile(tr, index, TR_VERTEX);
@@ -1708,8 +1694,7 @@ static tr_i_u tr_i_link(tr_context *tr, int index)
 }
 
 /* Points a program's samplers and block at our units and binding. The program is left in use. */
-static void tr_i_wire_program(tr_context *tr, tr_i_u program)
-{
+static void tr_i_wire_program(tr_context *tr, tr_i_u program) {
     static const char *const samplers[TR_I_UNIT_COUNT] = {"tr_front_depth", "tr_front_owner", "tr_scene_depth",
                                                           "tr_opaque_color", "tr_layer_color"};
     tr_i_u block = tr->gl.GetUniformBlockIndex(program, "tr_frame");
@@ -1724,8 +1709,7 @@ static void tr_i_wire_program(tr_context *tr, tr_i_u program)
         tr->gl.UniformBlockBinding(program, block, (tr_i_u)tr->desc.uniform_binding);
 }
 
-static tr_result tr_i_make_program(tr_context *tr, int index)
-{
+static tr_result tr_i_make_program(tr_context *tr, int index) {
     tr_i_program *program = &tr->programs[index];
     if (program->name)
         return TR_OK;
@@ -1741,16 +1725,14 @@ static tr_result tr_i_make_program(tr_context *tr, int index)
     return TR_OK;
 }
 
-TR_I_API const char *const *tr_glsl(const tr_context *tr, tr_stage stage, tr_rule rule, int *count)
-{
+TR_I_API const char *const *tr_glsl(const tr_context *tr, tr_stage stage, tr_rule rule, int *count) {
     if (!tr || (unsigned)stage >= (unsigned)TR_STAGE_COUNT || (unsigned)rule >= (unsigned)TR_RULE_COUNT || !count)
         return 0;
     *count = tr->string_count[stage][rule];
     return tr->strings[stage][rule];
 }
 
-TR_I_API tr_result tr_prepare_program(tr_context *tr, uint32_t program)
-{
+TR_I_API tr_result tr_prepare_program(tr_context *tr, uint32_t program) {
     int32_t current = 0;
     if (!tr || !tr->gl.IsProgram(program))
         return TR_INVALID_ARGUMENT;
@@ -1763,22 +1745,19 @@ TR_I_API tr_result tr_prepare_program(tr_context *tr, uint32_t program)
 
 /* ---- creation --------------------------------------------------------------------------------------------------- */
 
-static void *tr_i_default_alloc(size_t size, void *user)
-{
+static void *tr_i_default_alloc(size_t size, void *user) {
     (void)user;
     return TR_MALLOC(size);
 }
 
-static void tr_i_default_free(void *block, void *user)
-{
+static void tr_i_default_free(void *block, void *user) {
     (void)user;
     TR_FREE(block);
 }
 
 #ifdef TR_GL_STATIC
 /* In the static mode the names that the host's GL header declares; its version macros say which there are. */
-static void tr_i_load_static(tr_i_gl *gl)
-{
+static void tr_i_load_static(tr_i_gl *gl) {
 #define TR_I_TAKE(type, name, parameters) gl->name = (type(TR_I_GLAPI *) parameters)(tr_proc)gl##name;
     TR_I_GL_REQUIRED(TR_I_TAKE)
 #if defined(GL_VERSION_3_0)
@@ -1796,8 +1775,7 @@ static void tr_i_load_static(tr_i_gl *gl)
 }
 #endif
 
-static tr_result tr_i_load(tr_context *tr)
-{
+static tr_result tr_i_load(tr_context *tr) {
     tr_i_gl *gl = &tr->gl;
     const char *missing = 0;
 #ifdef TR_GL_STATIC
@@ -1821,8 +1799,7 @@ static tr_result tr_i_load(tr_context *tr)
 }
 
 /* "3.3.0 NVIDIA ...", "OpenGL ES 3.2 Mesa ...": 330, 320. Anything else: 0. */
-static int tr_i_parse_version(const char *string, int *es)
-{
+static int tr_i_parse_version(const char *string, int *es) {
     static const char prefix[] = "OpenGL ES ";
     *es = string && strncmp(string, prefix, sizeof prefix - 1) == 0;
     if (*es)
@@ -1832,8 +1809,7 @@ static int tr_i_parse_version(const char *string, int *es)
     return (string[0] - '0') * 100 + (string[2] - '0') * 10;
 }
 
-static tr_result tr_i_detect(tr_context *tr)
-{
+static tr_result tr_i_detect(tr_context *tr) {
     const char *string = (const char *)tr->gl.GetString(TR_I_GL_VERSION);
     const char *missing = 0;
     int32_t limit = 0;
@@ -1863,7 +1839,9 @@ static tr_result tr_i_detect(tr_context *tr)
         return tr_i_fail(&tr->desc, TR_GL_FUNCTION_MISSING, missing);
     tr->gl.GetIntegerv(TR_I_GL_MAX_TEXTURE_SIZE, &tr->max_texture_size);
     tr->gl.GetIntegerv(TR_I_GL_MAX_DRAW_BUFFERS, &limit);
-    tr->draw_buffers = !tr->has_indexed || limit < 1 ? 1 : limit > TR_I_MAX_DRAW_BUFFERS ? TR_I_MAX_DRAW_BUFFERS : limit;
+    tr->draw_buffers = !tr->has_indexed || limit < 1   ? 1
+                       : limit > TR_I_MAX_DRAW_BUFFERS ? TR_I_MAX_DRAW_BUFFERS
+                                                       : limit;
     limit = 0;
     if (!tr->es)
         tr->gl.GetIntegerv(TR_I_GL_MAX_CLIP_DISTANCES, &limit);
@@ -1871,8 +1849,7 @@ static tr_result tr_i_detect(tr_context *tr)
     return TR_OK;
 }
 
-static tr_result tr_i_check_bindings(tr_context *tr)
-{
+static tr_result tr_i_check_bindings(tr_context *tr) {
     int32_t units = 0, bindings = 0;
     tr->gl.GetIntegerv(TR_I_GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS, &units);
     tr->gl.GetIntegerv(TR_I_GL_MAX_UNIFORM_BUFFER_BINDINGS, &bindings);
@@ -1887,8 +1864,7 @@ static tr_result tr_i_check_bindings(tr_context *tr)
     return TR_OK;
 }
 
-static void tr_i_assemble_host_sources(tr_context *tr)
-{
+static void tr_i_assemble_host_sources(tr_context *tr) {
     tr_i_source source;
     int stage, rule;
     for (stage = 0; stage < (int)TR_STAGE_COUNT; ++stage) {
@@ -1900,8 +1876,7 @@ static void tr_i_assemble_host_sources(tr_context *tr)
     }
 }
 
-TR_I_API tr_context *tr_create(const tr_desc *desc, tr_result *result)
-{
+TR_I_API tr_context *tr_create(const tr_desc *desc, tr_result *result) {
     tr_context *tr;
     tr_desc d;
     tr_result ignored;
@@ -1940,8 +1915,7 @@ TR_I_API tr_context *tr_create(const tr_desc *desc, tr_result *result)
     return tr;
 }
 
-TR_I_API void tr_release(tr_context *tr)
-{
+TR_I_API void tr_release(tr_context *tr) {
     if (!tr)
         return;
     tr->gl.DeleteFramebuffers(TR_I_FBO_COUNT, tr->fbos);
@@ -1951,8 +1925,7 @@ TR_I_API void tr_release(tr_context *tr)
     tr->width = tr->height = 0;
 }
 
-TR_I_API void tr_destroy(tr_context *tr)
-{
+TR_I_API void tr_destroy(tr_context *tr) {
     int i;
     if (!tr)
         return;
@@ -1967,8 +1940,7 @@ TR_I_API void tr_destroy(tr_context *tr)
     tr->desc.free_fn(tr, tr->desc.alloc_user);
 }
 
-TR_I_API tr_info tr_get_info(const tr_context *tr)
-{
+TR_I_API tr_info tr_get_info(const tr_context *tr) {
     tr_info info;
     int i;
     memset(&info, 0, sizeof info);
@@ -1987,34 +1959,36 @@ TR_I_API tr_info tr_get_info(const tr_context *tr)
 
 /* What is attached: depth texture, colour texture or -1. */
 static const int tr_i_attachments[TR_I_FBO_COUNT][2] = {
-    {TR_I_FRONT_DEPTH, -1},  {TR_I_FRONT_OWNER, -1},
-    {TR_I_SCENE_DEPTH, -1},  {TR_I_SCENE_DEPTH, TR_I_OPAQUE_COLOR},
-    {TR_I_SCENE_DEPTH, TR_I_LAYER_COLOR}, {TR_I_DEPTH_COPY, -1},
+    {TR_I_FRONT_DEPTH, -1},
+    {TR_I_FRONT_OWNER, -1},
+    {TR_I_SCENE_DEPTH, -1},
+    {TR_I_SCENE_DEPTH, TR_I_OPAQUE_COLOR},
+    {TR_I_SCENE_DEPTH, TR_I_LAYER_COLOR},
+    {TR_I_DEPTH_COPY, -1},
 };
 
-static void tr_i_make_texture(tr_context *tr, int index, int width, int height)
-{
+static void tr_i_make_texture(tr_context *tr, int index, int width, int height) {
     int depth = index != TR_I_OPAQUE_COLOR && index != TR_I_LAYER_COLOR;
     const tr_i_gl *gl = &tr->gl;
     gl->GenTextures(1, &tr->textures[index]);
     gl->BindTexture(TR_I_GL_TEXTURE_2D, tr->textures[index]);
-    gl->TexImage2D(TR_I_GL_TEXTURE_2D, 0, (int32_t)(depth ? TR_I_GL_DEPTH_COMPONENT32F : TR_I_GL_RGBA8), width, height, 0,
-                   depth ? TR_I_GL_DEPTH_COMPONENT : TR_I_GL_RGBA, depth ? TR_I_GL_FLOAT : TR_I_GL_UNSIGNED_BYTE, 0);
+    gl->TexImage2D(TR_I_GL_TEXTURE_2D, 0, (int32_t)(depth ? TR_I_GL_DEPTH_COMPONENT32F : TR_I_GL_RGBA8), width, height,
+                   0, depth ? TR_I_GL_DEPTH_COMPONENT : TR_I_GL_RGBA, depth ? TR_I_GL_FLOAT : TR_I_GL_UNSIGNED_BYTE, 0);
     gl->TexParameteri(TR_I_GL_TEXTURE_2D, TR_I_GL_TEXTURE_MIN_FILTER, TR_I_GL_NEAREST);
     gl->TexParameteri(TR_I_GL_TEXTURE_2D, TR_I_GL_TEXTURE_MAG_FILTER, TR_I_GL_NEAREST);
     gl->TexParameteri(TR_I_GL_TEXTURE_2D, TR_I_GL_TEXTURE_WRAP_S, TR_I_GL_CLAMP_TO_EDGE);
     gl->TexParameteri(TR_I_GL_TEXTURE_2D, TR_I_GL_TEXTURE_WRAP_T, TR_I_GL_CLAMP_TO_EDGE);
 }
 
-static int tr_i_make_fbo(tr_context *tr, int index)
-{
+static int tr_i_make_fbo(tr_context *tr, int index) {
     const tr_i_gl *gl = &tr->gl;
     int depth = tr_i_attachments[index][0], color = tr_i_attachments[index][1];
     tr_i_u buffer = color >= 0 ? TR_I_GL_COLOR_ATTACHMENT0 : 0;
     gl->GenFramebuffers(1, &tr->fbos[index]);
     gl->BindFramebuffer(TR_I_GL_DRAW_FRAMEBUFFER, tr->fbos[index]);
     gl->BindFramebuffer(TR_I_GL_READ_FRAMEBUFFER, tr->fbos[index]);
-    gl->FramebufferTexture2D(TR_I_GL_DRAW_FRAMEBUFFER, TR_I_GL_DEPTH_ATTACHMENT, TR_I_GL_TEXTURE_2D, tr->textures[depth], 0);
+    gl->FramebufferTexture2D(TR_I_GL_DRAW_FRAMEBUFFER, TR_I_GL_DEPTH_ATTACHMENT, TR_I_GL_TEXTURE_2D,
+                             tr->textures[depth], 0);
     if (color >= 0)
         gl->FramebufferTexture2D(TR_I_GL_DRAW_FRAMEBUFFER, TR_I_GL_COLOR_ATTACHMENT0, TR_I_GL_TEXTURE_2D,
                                  tr->textures[color], 0);
@@ -2024,8 +1998,7 @@ static int tr_i_make_fbo(tr_context *tr, int index)
 }
 
 /* glTexImage2D may fail for want of memory; then a framebuffer is not complete, and all textures are given back. */
-static tr_result tr_i_make_textures(tr_context *tr, uint32_t wanted, int width, int height)
-{
+static tr_result tr_i_make_textures(tr_context *tr, uint32_t wanted, int width, int height) {
     int i;
     if (tr->width != width || tr->height != height)
         tr_release(tr);
@@ -2050,30 +2023,31 @@ static tr_result tr_i_make_textures(tr_context *tr, uint32_t wanted, int width, 
 
 /* ---- the sequence ----------------------------------------------------------------------------------------------- */
 
-static int tr_i_program_of(const tr_context *tr, const tr_plan_pass *pass)
-{
+static int tr_i_program_of(const tr_context *tr, const tr_plan_pass *pass) {
     int layer = (tr->plan.textures >> TR_I_LAYER_COLOR) & 1u;
     int opaque = (tr->plan.textures >> TR_I_OPAQUE_COLOR) & 1u;
     int ink = pass->lines == TR_LINES_OUTLINES;
     switch (pass->kind) {
-    case TR_PASS_COPY_DEPTH: return TR_I_PROGRAM_COPY_DEPTH;
+    case TR_PASS_COPY_DEPTH:
+        return TR_I_PROGRAM_COPY_DEPTH;
     case TR_PASS_COMPOSE:
         return TR_I_PROGRAM_COMPOSE + (layer ? 1 + (int)tr->frame.wishes.blending + (opaque ? 3 : 0) : 0);
-    case TR_PASS_OPAQUE_LINES: return TR_I_PROGRAM_LINE + ink;
-    case TR_PASS_TRANSPARENT_LINES: return TR_I_PROGRAM_LINE + 2 + ink;
-    default: return TR_I_PROGRAM_SURFACE + (int)pass->rule;
+    case TR_PASS_OPAQUE_LINES:
+        return TR_I_PROGRAM_LINE + ink;
+    case TR_PASS_TRANSPARENT_LINES:
+        return TR_I_PROGRAM_LINE + 2 + ink;
+    default:
+        return TR_I_PROGRAM_SURFACE + (int)pass->rule;
     }
 }
 
-static float tr_i_weight(float weight, float fallback)
-{
+static float tr_i_weight(float weight, float fallback) {
     if (weight == 0.0f)
         return fallback;
     return weight > 0.0f ? (weight < 1.0f ? weight : 1.0f) : 0.0f;
 }
 
-static void tr_i_unit_vector(float out[4], const float in[3], const float fallback[3])
-{
+static void tr_i_unit_vector(float out[4], const float in[3], const float fallback[3]) {
     double length;
     int i;
     if (in[0] == 0.0f && in[1] == 0.0f && in[2] == 0.0f)
@@ -2085,8 +2059,7 @@ static void tr_i_unit_vector(float out[4], const float in[3], const float fallba
     out[3] = 0.0f;
 }
 
-static void tr_i_fill_block(const tr_frame *frame, tr_i_block *block)
-{
+static void tr_i_fill_block(const tr_frame *frame, tr_i_block *block) {
     static const float light[3] = {-0.45f, 0.65f, 0.62f};
     static const float cool[4] = {0.10f, 0.14f, 0.30f, 0.45f}, warm[4] = {0.22f, 0.19f, 0.08f, 0.80f};
     static const float zero[4] = {0, 0, 0, 0};
@@ -2116,10 +2089,10 @@ static void tr_i_fill_block(const tr_frame *frame, tr_i_block *block)
 }
 
 /* 1 if tr_begin has to create or upload something: never in a steady frame. */
-static int tr_i_needs_work(const tr_context *tr, const tr_i_block *block)
-{
+static int tr_i_needs_work(const tr_context *tr, const tr_i_block *block) {
     int i;
-    if (!tr->uniform_buffer || !tr->vertex_array || !tr->block_uploaded || memcmp(block, &tr->block, sizeof *block) != 0)
+    if (!tr->uniform_buffer || !tr->vertex_array || !tr->block_uploaded ||
+        memcmp(block, &tr->block, sizeof *block) != 0)
         return 1;
     if (tr->width != tr->frame.width || tr->height != tr->frame.height)
         return 1;
@@ -2132,8 +2105,7 @@ static int tr_i_needs_work(const tr_context *tr, const tr_i_block *block)
     return 0;
 }
 
-static void tr_i_upload_block(tr_context *tr, const tr_i_block *block)
-{
+static void tr_i_upload_block(tr_context *tr, const tr_i_block *block) {
     if (!tr->uniform_buffer)
         tr->gl.GenBuffers(1, &tr->uniform_buffer);
     tr->gl.BindBuffer(TR_I_GL_COPY_WRITE_BUFFER, tr->uniform_buffer);
@@ -2145,8 +2117,7 @@ static void tr_i_upload_block(tr_context *tr, const tr_i_block *block)
     tr->block_uploaded = 1;
 }
 
-static tr_result tr_i_work(tr_context *tr, const tr_i_block *block)
-{
+static tr_result tr_i_work(tr_context *tr, const tr_i_block *block) {
     tr_result result = tr_i_make_textures(tr, tr->plan.textures, tr->frame.width, tr->frame.height);
     int i;
     for (i = 0; i < tr->plan.pass_count && result == TR_OK; ++i)
@@ -2159,8 +2130,7 @@ static tr_result tr_i_work(tr_context *tr, const tr_i_block *block)
     return TR_OK;
 }
 
-static tr_result tr_i_check_target(tr_context *tr)
-{
+static tr_result tr_i_check_target(tr_context *tr) {
     int32_t samples = 0;
     tr->gl.BindFramebuffer(TR_I_GL_DRAW_FRAMEBUFFER, tr->frame.framebuffer);
     if (tr->gl.CheckFramebufferStatus(TR_I_GL_DRAW_FRAMEBUFFER) != TR_I_GL_FRAMEBUFFER_COMPLETE)
@@ -2169,12 +2139,12 @@ static tr_result tr_i_check_target(tr_context *tr)
     return samples > 0 ? tr_i_fail(&tr->desc, TR_TARGET_MULTISAMPLED, "frame.framebuffer") : TR_OK;
 }
 
-static tr_result tr_i_check_frame(const tr_context *tr, const tr_frame *frame)
-{
+static tr_result tr_i_check_frame(const tr_context *tr, const tr_frame *frame) {
     float sum = frame->opaque_weight + frame->background_weight + frame->line_tolerance;
     int i;
     for (i = 0; i < 4; ++i)
-        sum += frame->cool[i] + frame->warm[i] + (i < 3 ? frame->light[i] + frame->crease_color[i] + frame->outline_color[i] : 0);
+        sum += frame->cool[i] + frame->warm[i] +
+               (i < 3 ? frame->light[i] + frame->crease_color[i] + frame->outline_color[i] : 0);
     if (!(sum - sum == 0.0f))
         return tr_i_fail(&tr->desc, TR_INVALID_ARGUMENT, "a number of the frame is not finite");
     if (frame->width < 0 || frame->height < 0)
@@ -2184,8 +2154,7 @@ static tr_result tr_i_check_frame(const tr_context *tr, const tr_frame *frame)
     return TR_OK;
 }
 
-TR_I_API tr_result tr_begin(tr_context *tr, const tr_frame *frame)
-{
+TR_I_API tr_result tr_begin(tr_context *tr, const tr_frame *frame) {
     tr_i_block block;
     tr_result result;
     int work;
@@ -2220,11 +2189,11 @@ TR_I_API tr_result tr_begin(tr_context *tr, const tr_frame *frame)
 }
 
 /* Which textures a pass reads: bits of the units. */
-static uint32_t tr_i_reads(const tr_plan_pass *pass, uint32_t textures)
-{
+static uint32_t tr_i_reads(const tr_plan_pass *pass, uint32_t textures) {
     uint32_t reads = 0;
     switch (pass->kind) {
-    case TR_PASS_OWNER: return 1u << TR_I_FRONT_DEPTH;
+    case TR_PASS_OWNER:
+        return 1u << TR_I_FRONT_DEPTH;
     case TR_PASS_LIMIT:
     case TR_PASS_BLENDED:
         if (pass->rule != TR_RULE_FRONT)
@@ -2234,30 +2203,38 @@ static uint32_t tr_i_reads(const tr_plan_pass *pass, uint32_t textures)
         return reads;
     case TR_PASS_COPY_DEPTH:
     case TR_PASS_OPAQUE_LINES:
-    case TR_PASS_TRANSPARENT_LINES: return 1u << TR_I_SCENE_DEPTH;
+    case TR_PASS_TRANSPARENT_LINES:
+        return 1u << TR_I_SCENE_DEPTH;
     case TR_PASS_COMPOSE:
-        reads = (1u << TR_I_FRONT_DEPTH) | (1u << TR_I_SCENE_DEPTH) | (1u << TR_I_OPAQUE_COLOR) | (1u << TR_I_LAYER_COLOR);
+        reads =
+            (1u << TR_I_FRONT_DEPTH) | (1u << TR_I_SCENE_DEPTH) | (1u << TR_I_OPAQUE_COLOR) | (1u << TR_I_LAYER_COLOR);
         return reads & textures;
-    default: return 0;
+    default:
+        return 0;
     }
 }
 
-static int tr_i_fbo_of(tr_pass_kind kind)
-{
+static int tr_i_fbo_of(tr_pass_kind kind) {
     switch (kind) {
-    case TR_PASS_FRONT: return TR_I_FBO_FRONT;
-    case TR_PASS_OWNER: return TR_I_FBO_OWNER;
-    case TR_PASS_LIMIT: return TR_I_FBO_LIMIT;
+    case TR_PASS_FRONT:
+        return TR_I_FBO_FRONT;
+    case TR_PASS_OWNER:
+        return TR_I_FBO_OWNER;
+    case TR_PASS_LIMIT:
+        return TR_I_FBO_LIMIT;
     case TR_PASS_OPAQUE:
-    case TR_PASS_OPAQUE_LINES: return TR_I_FBO_OPAQUE;
-    case TR_PASS_COPY_DEPTH: return TR_I_FBO_COPY;
-    case TR_PASS_BLENDED: return TR_I_FBO_LAYER;
-    default: return -1; /* the host's target */
+    case TR_PASS_OPAQUE_LINES:
+        return TR_I_FBO_OPAQUE;
+    case TR_PASS_COPY_DEPTH:
+        return TR_I_FBO_COPY;
+    case TR_PASS_BLENDED:
+        return TR_I_FBO_LAYER;
+    default:
+        return -1; /* the host's target */
     }
 }
 
-static void tr_i_fill_bindings(const tr_context *tr, const tr_plan_pass *pass, tr_state *state)
-{
+static void tr_i_fill_bindings(const tr_context *tr, const tr_plan_pass *pass, tr_state *state) {
     uint32_t reads = tr_i_reads(pass, tr->plan.textures);
     int fbo = tr_i_fbo_of(pass->kind);
     int i;
@@ -2280,8 +2257,7 @@ static void tr_i_fill_bindings(const tr_context *tr, const tr_plan_pass *pass, t
     }
 }
 
-static void tr_i_fill_tests(const tr_context *tr, const tr_plan_pass *pass, tr_state *state)
-{
+static void tr_i_fill_tests(const tr_context *tr, const tr_plan_pass *pass, tr_state *state) {
     int reversed = tr->desc.reversed_z;
     tr_i_u nearer = reversed ? TR_I_GL_GREATER : TR_I_GL_LESS;
     tr_i_u not_farther = reversed ? TR_I_GL_GEQUAL : TR_I_GL_LEQUAL;
@@ -2299,8 +2275,12 @@ static void tr_i_fill_tests(const tr_context *tr, const tr_plan_pass *pass, tr_s
         state->depth_func = TR_I_GL_LESS;
         state->clear_depth_value = 1.0f;
         break;
-    case TR_PASS_COPY_DEPTH: state->depth_func = TR_I_GL_ALWAYS; break;
-    case TR_PASS_OPAQUE: state->color_write = 1; break;
+    case TR_PASS_COPY_DEPTH:
+        state->depth_func = TR_I_GL_ALWAYS;
+        break;
+    case TR_PASS_OPAQUE:
+        state->color_write = 1;
+        break;
     case TR_PASS_BLENDED: /* where an opaque surface lies in the transparent one, the latter is seen, and it behind */
         state->color_write = 1;
         state->depth_func = not_farther;
@@ -2320,12 +2300,12 @@ static void tr_i_fill_tests(const tr_context *tr, const tr_plan_pass *pass, tr_s
         /* Creases leave no depth: they lie within their surface, and outlines are to go over them. */
         state->depth_write = pass->lines == TR_LINES_OUTLINES;
         break;
-    default: break;
+    default:
+        break;
     }
 }
 
-static void tr_i_draw_triangle(tr_context *tr, const tr_state *state)
-{
+static void tr_i_draw_triangle(tr_context *tr, const tr_state *state) {
     int32_t vertex_array = 0;
     /* The host's vertex array stays bound for its own draws. */
     tr->gl.GetIntegerv(TR_I_GL_VERTEX_ARRAY_BINDING, &vertex_array);
@@ -2334,8 +2314,7 @@ static void tr_i_draw_triangle(tr_context *tr, const tr_state *state)
     tr->gl.BindVertexArray((tr_i_u)vertex_array);
 }
 
-TR_I_API int tr_next_pass(tr_context *tr, tr_pass *pass)
-{
+TR_I_API int tr_next_pass(tr_context *tr, tr_pass *pass) {
     if (!tr || !pass || !tr->in_frame)
         return 0;
     while (tr->next_pass < tr->plan.pass_count) {
@@ -2358,8 +2337,7 @@ TR_I_API int tr_next_pass(tr_context *tr, tr_pass *pass)
     return 0;
 }
 
-TR_I_API int tr_pass_draws(const tr_pass *pass, const tr_object *object)
-{
+TR_I_API int tr_pass_draws(const tr_pass *pass, const tr_object *object) {
     uint32_t flags;
     if (!pass || !object)
         return 0;
@@ -2367,8 +2345,7 @@ TR_I_API int tr_pass_draws(const tr_pass *pass, const tr_object *object)
     return (int)((pass->classes >> flags) & 1u);
 }
 
-TR_I_API void tr_set_material(tr_context *tr, const tr_pass *pass, const tr_material *material)
-{
+TR_I_API void tr_set_material(tr_context *tr, const tr_pass *pass, const tr_material *material) {
     const tr_i_program *program;
     const tr_i_gl *gl;
     if (!tr || !pass || !material || (unsigned)pass->rule >= (unsigned)TR_RULE_COUNT)
@@ -2386,8 +2363,7 @@ TR_I_API void tr_set_material(tr_context *tr, const tr_pass *pass, const tr_mate
         gl->Uniform1ui(program->object, material->object);
 }
 
-TR_I_API tr_result tr_end(tr_context *tr)
-{
+TR_I_API tr_result tr_end(tr_context *tr) {
     if (!tr)
         return TR_INVALID_ARGUMENT;
     if (!tr->in_frame)

@@ -1,6 +1,6 @@
 /* cc -std=c11 -O2 -I. bench/silhouette.c -o bench_silhouette -lm && ./bench_silhouette [FILE.csv]
 
-   Time to find the silhouettes of one view, median over many views. Subjects:
+   Time to find the silhouettes of one view, median over many views, and of what comes after. Subjects:
      published  the papers' way: for each edge the product of its faces' signs, float normals, scalar code
      brute      silhouette.h with a pose: exact signs of all faces, then all edges
    error_max is the largest number of edges in any view that differ from those by exact signs asked for one at a time.
@@ -107,11 +107,10 @@ static model make_box(size_t n) {
 }
 
 /* The same faces and edges as the mesh has. */
-static published publish(const model *m, const sil_mesh *mesh) {
+static published publish(const sil_mesh *mesh) {
     published p;
     size_t i;
     int k;
-    (void)m;
     p.edge_count = mesh->edge_count;
     p.bytes = mesh->edge_count * sizeof(plain_edge) + mesh->face_count * 3 * sizeof(float);
     p.edges = (plain_edge *)need(mesh->edge_count * sizeof(plain_edge));
@@ -153,10 +152,14 @@ static size_t differing(const uint32_t *a, size_t a_count, const sil_edge *b, si
     size_t i = 0, j = 0, both = 0;
     while (i < a_count && j < b_count) {
         both += a[i] == b[j].edge;
-        if (a[i] <= b[j].edge)
-            i += 1, j += a[i - 1] == b[j].edge;
-        else
+        if (a[i] < b[j].edge)
+            ++i;
+        else if (a[i] > b[j].edge)
             ++j;
+        else {
+            ++i;
+            ++j;
+        }
     }
     return a_count + b_count - 2 * both;
 }
@@ -221,6 +224,68 @@ static void run_views(FILE *csv, const char *scene, const published *p, const si
     free(times[0]);
 }
 
+static sil_ribbon_desc screen(void) {
+    sil_ribbon_desc desc;
+    memset(&desc, 0, sizeof desc);
+    desc.model_view[0] = desc.model_view[5] = desc.model_view[10] = desc.model_view[15] = 1;
+    desc.model_view[14] = -4;
+    desc.projection[0] = 1;
+    desc.projection[5] = 1.5f;
+    desc.projection[10] = -1.02f;
+    desc.projection[11] = -1;
+    desc.projection[14] = -0.2f;
+    desc.viewport_width = 1280;
+    desc.viewport_height = 853;
+    return desc;
+}
+
+/* What comes after extraction, for one view; the median of nine runs each. Sizes: faces, edges, edges, and pairs of
+   vertices and edges. */
+static void run_rest(FILE *csv, const model *m, const sil_mesh *mesh, sil_pose *pose) {
+    const sil_view view = view_number(1, 0);
+    const sil_ribbon_desc desc = screen();
+    sil_edge *edges = (sil_edge *)need(mesh->edge_count * sizeof *edges);
+    const size_t count = sil_extract(mesh, pose, &view, SIL_SILHOUETTE, edges, mesh->edge_count);
+    sil_strip *strips = (sil_strip *)need(count * sizeof *strips);
+    uint32_t *vertices = (uint32_t *)need(2 * count * sizeof *vertices);
+    float *distances = (float *)need(m->vertex_count * sizeof *distances);
+    static const char *const work[4] = {"pose", "chain", "ribbons", "distances"};
+    const size_t size[4] = {mesh->face_count, count, count, count * m->vertex_count};
+    sil_ribbon_vertex *ribbons;
+    double times[4][9];
+    size_t i, strip_count, needed, room;
+    int k;
+    (void)sil_pose_reserve(pose, count);
+    strip_count = sil_chain(mesh, pose, edges, count, strips, count, vertices, 2 * count, &needed);
+    room = sil_ribbons(mesh, pose, strips, strip_count, vertices, &desc, NULL, 0);
+    ribbons = (sil_ribbon_vertex *)need(room * sizeof *ribbons);
+    for (i = 0; i < 9; ++i) {
+        double at[5];
+        at[0] = now_ms();
+        (void)sil_pose_set(pose, m->positions, 0);
+        at[1] = now_ms();
+        (void)sil_chain(mesh, pose, edges, count, strips, count, vertices, 2 * count, &needed);
+        at[2] = now_ms();
+        (void)sil_ribbons(mesh, pose, strips, strip_count, vertices, &desc, ribbons, room);
+        at[3] = now_ms();
+        (void)sil_distances(mesh, pose, edges, count, NULL, 0, m->vertex_count, distances, NULL);
+        at[4] = now_ms();
+        for (k = 0; k < 4; ++k)
+            times[k][i] = at[k + 1] - at[k];
+    }
+    (void)sil_pose_set(pose, NULL, 0);
+    for (k = 0; k < 4; ++k) {
+        qsort(times[k], 9, sizeof(double), compare_doubles);
+        printf("%-12s %-12s %9lu  %-10s %9.3f ms\n", work[k], m->name, (unsigned long)size[k], "brute", times[k][4]);
+        fprintf(csv, "%s,%s,%lu,brute,%.6f,0,0\n", work[k], m->name, (unsigned long)size[k], times[k][4]);
+    }
+    free(edges);
+    free(strips);
+    free(vertices);
+    free(distances);
+    free(ribbons);
+}
+
 static void run_model(FILE *csv, model m, size_t views) {
     sil_mesh_desc desc;
     sil_mesh *mesh;
@@ -243,10 +308,12 @@ static void run_model(FILE *csv, model m, size_t views) {
     printf("%-12s %-12s %9lu  %-10s %9.3f ms\n", "create", m.name, (unsigned long)mesh->edge_count, "brute", start);
     fprintf(csv, "create,%s,%lu,brute,%.6f,%lu,0\n", m.name, (unsigned long)mesh->edge_count, start,
             (unsigned long)sil_mesh_get_info(mesh).bytes);
-    p = publish(&m, mesh);
+    p = publish(mesh);
     run_views(csv, m.name, &p, mesh, pose, 0, views);
     snprintf(axis_name, sizeof axis_name, "%s_axes", m.name);
     run_views(csv, axis_name, &p, mesh, pose, 1, views);
+    if (m.vertex_count < 100000) /* all pairs of a larger one take too long */
+        run_rest(csv, &m, mesh, pose);
     free(p.edges);
     free(p.normals);
     sil_pose_destroy(pose);

@@ -54,7 +54,8 @@ static void look_at(stage *s, const scene *model) {
     }
     s->scene.view[15] = 1;
     const double n = radius, f = 6 * radius, half = 0.36;
-    const double projection[16] = {1 / half, 0, 0, 0, 0, 1 / half, 0, 0, 0, 0, -(f + n) / (f - n), -1, 0, 0, -2 * f * n / (f - n), 0};
+    const double projection[16] = {
+        1 / half, 0, 0, 0, 0, 1 / half, 0, 0, 0, 0, -(f + n) / (f - n), -1, 0, 0, -2 * f * n / (f - n), 0};
     memcpy(s->scene.projection, projection, sizeof projection);
 }
 
@@ -144,7 +145,8 @@ static void run_scene(harness *h, const char *name, FILE *csv, bool quick) {
                                        (unsigned long long)sizes[size] * (unsigned long long)sizes[size];
             printf("%-10s %5d  %-20s %9.2f ms  %5.2fx  %9llu bytes  error %.2f/255\n", name, sizes[size],
                    subjects[subject], ms, ms / opaque_ms, bytes, error);
-            fprintf(csv, "view_dependent,%s,%d,%s,%.3f,%llu,%.3f\n", name, sizes[size], subjects[subject], ms, bytes, error);
+            fprintf(csv, "view_dependent,%s,%d,%s,%.3f,%llu,%.3f\n", name, sizes[size], subjects[subject], ms, bytes,
+                    error);
         }
     }
     for (size_t i = 0; i < s.count; ++i)

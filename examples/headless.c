@@ -51,7 +51,7 @@ void headless_destroy(headless *h) {
     memset(h, 0, sizeof *h);
 }
 
-/* ---- one display ------------------------------------------------------------------------------------------- */
+/* ---- one display ----------------------------------------------------------------------------------------- */
 
 static EGLConfig choose_config(EGLDisplay display, bool es, bool pbuffer) {
     const EGLint wanted[] = {EGL_RENDERABLE_TYPE,
@@ -160,7 +160,7 @@ static bool open_display(headless *h, EGLDisplay display, const char *platform, 
     return !missing;
 }
 
-/* ---- which display ----------------------------------------------------------------------------------------- */
+/* ---- which display --------------------------------------------------------------------------------------- */
 
 /* Whether a candidate ends the search: the first hardware driver does, the first software one is kept until then. Which
  * context is current afterwards is settled at the end of the search. */

@@ -15,8 +15,8 @@ typedef struct headless {
 } headless;
 
 /* Creates the context and makes it current in this thread. Desktop GL is core profile. major 0: the highest version
- * there is, from 4.6 down to 3.3, or ES 3.2 down to 3.0; else that version at least. LIBGL_ALWAYS_SOFTWARE keeps it from
- * GPUs, as it does Mesa. False: nothing is left open, and message says what was tried. */
+ * there is, from 4.6 down to 3.3, or ES 3.2 down to 3.0; else that version at least. LIBGL_ALWAYS_SOFTWARE keeps it
+ * from GPUs, as it does Mesa. False: nothing is left open, and message says what was tried. */
 bool headless_create(headless *h, int major, int minor, bool es, char *message, size_t message_size);
 
 /* Releases everything; a context is current no more. Twice, or after a failure, is fine. */

@@ -48,12 +48,12 @@ static const char HELP[] =
     "  --shade SHADE            cool-to-warm (default) or flat\n"
     "  --background RRGGBB      or none for a see-through one; default ffffff\n"
     "  --k K                    how fast transparent surfaces clear away from their silhouettes (exponent)\n"
-    "  --blend BLEND            normalised (default), published or over\n"
+    "  --blend BLEND            over (default), normalised or published; the last two weigh what is behind\n"
     "  --weights OPAQUE,BACKGROUND\n"
     "                           how much of what is behind shines through, 0 to 1 each\n"
     "  --interior HOW           auto (default): explicit where transparent parts have inner walls, else implicit;\n"
     "                           implicit; explicit; published: implicit as in the paper, faults included\n"
-    "  --quality N              samples per pixel along each axis, 1 to 8; default 2\n"
+    "  --quality N              samples per pixel along each axis, 1 to 8; default 3\n"
     "  --up AXIS                y or z, where a file's convention is wrong\n"
     "  --gles                   OpenGL ES 3 instead of desktop OpenGL\n"
     "  --explain                print the plan with times and bytes as JSON\n"
@@ -81,7 +81,7 @@ typedef struct options {
     illustrate_job job;
 } options;
 
-/* ---- messages -------------------------------------------------------------------------------------------------- */
+/* ---- messages -------------------------------------------------------------------------------------------- */
 
 static bool progress_shown;
 
@@ -149,7 +149,7 @@ static double seconds_now(void) {
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-/* ---- what is nearest to a name that is not known ------------------------------------------------------------------ */
+/* ---- what is nearest to a name that is not known --------------------------------------------------------- */
 
 enum { LONGEST_COMPARED = 128 };
 
@@ -221,7 +221,7 @@ static void nearest_parts(const scene *s, const char *wanted, char *text, size_t
     }
 }
 
-/* ---- numbers and words ---------------------------------------------------------------------------------------------- */
+/* ---- numbers and words ----------------------------------------------------------------------------------- */
 
 /* The whole text has to be a number; blanks, hexadecimals, NaN and infinity are none here. */
 static bool read_number(const char *text, size_t length, double low, double high, double *out) {
@@ -278,7 +278,7 @@ static int read_choice(const char *option, const char *text, const char *const *
     return misused("%s %s: not known; there are %s", option, text, list);
 }
 
-/* ---- options ---------------------------------------------------------------------------------------------------------- */
+/* ---- options --------------------------------------------------------------------------------------------- */
 
 static int set_style(options *o, const char *value) {
     static const char *const words[] = {"auto", "hodges", "lines", "opaque", NULL};
@@ -357,8 +357,8 @@ static int set_shade(options *o, const char *value) {
 }
 
 static int set_blend(options *o, const char *value) {
-    static const char *const words[] = {"normalised", "published", "over", NULL};
-    static const illustrate_blend blends[] = {BLEND_NORMALISED, BLEND_PUBLISHED, BLEND_OVER};
+    static const char *const words[] = {"over", "normalised", "published", NULL};
+    static const illustrate_blend blends[] = {BLEND_OVER, BLEND_NORMALISED, BLEND_PUBLISHED};
     int chosen, result = read_choice("--blend", value, words, &chosen);
     if (result == DONE)
         o->job.blending = blends[chosen];
@@ -548,9 +548,6 @@ static int check_options(const options *o) {
         return misused("no model is given; see illustrate --help");
     if (!o->output && !o->list)
         return misused("no -o OUT.png is given");
-    if ((long)o->job.width * o->job.quality > 32768 || (long)o->job.height * o->job.quality > 32768)
-        return misused("--size %dx%d with --quality %d: more than 32768 samples along an axis", o->job.width,
-                       o->job.height, o->job.quality);
     return DONE;
 }
 
@@ -560,7 +557,7 @@ static void set_defaults(options *o) {
     job->height = 768;
     job->azimuth = 30;
     job->elevation = 20;
-    job->quality = 2;
+    job->quality = 3;
     job->silhouettes = job->boundaries = job->creases = true;
     job->line_width = 1.5f;
     job->background[0] = job->background[1] = job->background[2] = job->background[3] = 1;
@@ -585,7 +582,7 @@ static int parse(options *o, int count, char **arguments) {
     return result == DONE ? check_options(o) : result;
 }
 
-/* ---- models --------------------------------------------------------------------------------------------------------------- */
+/* ---- models ---------------------------------------------------------------------------------------------- */
 
 static scene *make_built_in(const char *name, int *result) {
     scene *s = models_make(name);
@@ -668,7 +665,7 @@ static scene *load_models(const options *o, int *result) {
     return NULL;
 }
 
-/* ---- parts ---------------------------------------------------------------------------------------------------------------- */
+/* ---- parts ----------------------------------------------------------------------------------------------- */
 
 /* Whether a name means the path up to `length`: the whole of it, its last component, or a pattern for either. */
 static bool means(const char *name, const char *path, size_t length) {
@@ -764,7 +761,7 @@ static int list_parts(const scene *s) {
     return finish_stdout();
 }
 
-/* ---- drawing --------------------------------------------------------------------------------------------------------------- */
+/* ---- drawing --------------------------------------------------------------------------------------------- */
 
 static int finish_picture(const options *o, const illustrate_result *drawn) {
     char message[256];

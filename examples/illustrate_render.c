@@ -201,7 +201,7 @@ static bool upload_surface(renderer *r, surface *s) {
 static void part_box(const scene *s, const scene_part *part, double low[3], double high[3]) {
     const scene_mesh *mesh = &s->meshes[part->mesh];
     for (int k = 0; k < 3; ++k)
-        low[k] = INFINITY, high[k] = -INFINITY;
+        low[k] = HUGE_VAL, high[k] = -HUGE_VAL;
     for (size_t i = 0; i < mesh->vertex_count; ++i) {
         double p[4];
         transform_point(part->transform, mesh->positions + 3 * i, p);
@@ -299,8 +299,8 @@ static unsigned char *choose_transparent(renderer *r) {
     bool hodges = r->job->style == STYLE_AUTO || r->job->style == STYLE_HODGES;
     for (size_t i = 0; ok && hodges && i < s->part_count; ++i) {
         int asked = r->job->transparent ? r->job->transparent[i] : PART_AUTO;
-        transparent[i] = !s->parts[i].hidden &&
-                         (asked == PART_TRANSPARENT || (asked == PART_AUTO && s->parts[i].opacity < 1.0f));
+        transparent[i] =
+            !s->parts[i].hidden && (asked == PART_TRANSPARENT || (asked == PART_AUTO && s->parts[i].opacity < 1.0f));
         any = any || transparent[i];
     }
     if (ok && hodges && !any)
@@ -333,7 +333,7 @@ static void borrow_surface(const scene_mesh *mesh, surface *s) {
 
 /* A finer copy for a transparent part: alpha is linear within a triangle, and needs about this many steps. */
 static bool refine_surface(renderer *r, const scene_mesh *mesh, surface *s) {
-    double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY}, diagonal = 0;
+    double low[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, high[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}, diagonal = 0;
     scene_mesh fine;
     for (size_t i = 0; i < 3 * mesh->vertex_count; ++i) {
         low[i % 3] = fmin(low[i % 3], (double)mesh->positions[i]);
@@ -403,14 +403,14 @@ static void camera_axes(const illustrate_job *job, double axes[3][3]) {
     }
 }
 
-/* Extents of all that is drawn, in eye space seen from `distance` (INFINITY: orthographic): the projected rectangle and
+/* Extents of all that is drawn, in eye space seen from `distance` (HUGE_VAL: orthographic): the projected rectangle and
  * the depth range. */
 typedef struct extent {
     double low[3], high[3];
 } extent;
 
 static extent measure(const renderer *r, bool perspective) {
-    extent e = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+    extent e = {{HUGE_VAL, HUGE_VAL, HUGE_VAL}, {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}};
     for (size_t i = 0; i < r->figure_count; ++i) {
         const figure *f = &r->figures[i];
         const surface *s = &r->surfaces[f->part->mesh];
@@ -535,7 +535,8 @@ static bool in_valley(const surface *s, const sil_edge *e) {
     for (int c = 0; c < 3; ++c) {
         double height = 0;
         for (int k = 0; k < 3; ++k)
-            height += n[k] * ((double)s->positions[3 * right[c] + (size_t)k] - (double)s->positions[3 * left[0] + (size_t)k]);
+            height +=
+                n[k] * ((double)s->positions[3 * right[c] + (size_t)k] - (double)s->positions[3 * left[0] + (size_t)k]);
         highest = fmax(highest, height);
         lowest = fmin(lowest, height);
     }
@@ -559,7 +560,7 @@ static double strip_length(const renderer *r, const figure *f, const sil_strip *
         double p[4], now[2];
         transform_point(to_clip, positions + 3 * (size_t)vertices[strip->first + i], p);
         if (!(p[3] > 0))
-            return INFINITY;
+            return HUGE_VAL;
         now[0] = p[0] / p[3] * 0.5 * r->job->width;
         now[1] = p[1] / p[3] * 0.5 * r->job->height;
         length += i ? hypot(now[0] - last[0], now[1] - last[1]) : 0;
@@ -750,7 +751,7 @@ static bool upload_lines(renderer *r, figure *f, const double projection[16]) {
 
 static tr_frame make_frame(const renderer *r) {
     const illustrate_job *job = r->job;
-    static const tr_blending blendings[] = {TR_BLENDING_NORMALISED, TR_BLENDING_PUBLISHED, TR_BLENDING_OVER};
+    static const tr_blending blendings[] = {TR_BLENDING_OVER, TR_BLENDING_NORMALISED, TR_BLENDING_PUBLISHED};
     tr_frame frame;
     memset(&frame, 0, sizeof frame);
     frame.framebuffer = r->framebuffer;

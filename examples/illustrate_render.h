@@ -16,13 +16,13 @@ typedef enum illustrate_interior {
     INTERIOR_EXPLICIT,
     INTERIOR_PUBLISHED
 } illustrate_interior;
-typedef enum illustrate_blend { BLEND_NORMALISED, BLEND_PUBLISHED, BLEND_OVER } illustrate_blend;
+typedef enum illustrate_blend { BLEND_OVER, BLEND_NORMALISED, BLEND_PUBLISHED } illustrate_blend;
 enum { PART_AUTO = 0, PART_TRANSPARENT = 1, PART_OPAQUE = 2 };
 
 typedef struct illustrate_job {
     const scene *scene; /* hidden parts are not drawn */
     illustrate_style style;
-    int width, height;         /* pixels of the result, 1 to 16384; width and height times quality is at most 32768 */
+    int width, height;         /* pixels of the result, 1 to 16384 */
     double azimuth, elevation; /* degrees; azimuth 0 looks at the front, positive goes to the scene's right */
     bool ortho;
     const unsigned char *transparent; /* per part PART_AUTO, PART_TRANSPARENT or PART_OPAQUE; NULL: all PART_AUTO */

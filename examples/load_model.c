@@ -61,7 +61,7 @@ static bool has_extension(const char *path, const char *extension) {
     return strcasecmp(extension_of(path), extension) == 0;
 }
 
-/* ---- checks before assimp sees the file -------------------------------------------------------------------- */
+/* ---- checks before assimp sees the file ------------------------------------------------------------------ */
 
 /* What a header claims against what is there: readers that believe the header allocate all of it. */
 
@@ -251,7 +251,7 @@ static bool check_file(const char *path, long long *size, char *message, size_t 
     return ok;
 }
 
-/* ---- materials --------------------------------------------------------------------------------------------- */
+/* ---- materials ------------------------------------------------------------------------------------------- */
 
 typedef struct surface {
     float color[3], opacity;
@@ -342,7 +342,7 @@ static void read_surface(const import *in, unsigned index, surface *s) {
     display_color(in, &color, s->color);
 }
 
-/* ---- textures ---------------------------------------------------------------------------------------------- */
+/* ---- textures -------------------------------------------------------------------------------------------- */
 
 static bool decode(image *out, const unsigned char *bytes, size_t count) {
     int width, height, channels;
@@ -481,7 +481,7 @@ static void sample_triangle(const image *texture, const struct aiVector3D *uvs, 
     }
 }
 
-/* ---- one mesh ---------------------------------------------------------------------------------------------- */
+/* ---- one mesh -------------------------------------------------------------------------------------------- */
 
 static bool finite3(const struct aiVector3D *v) {
     return isfinite(v->x) && isfinite(v->y) && isfinite(v->z);
@@ -621,7 +621,7 @@ static void average_color(const scene_mesh *mesh, float color[3]) {
         color[k] = weight > 0 ? clamp01((float)(sum[k] / weight)) : 1;
 }
 
-/* ---- skins ------------------------------------------------------------------------------------------------- */
+/* ---- skins ----------------------------------------------------------------------------------------------- */
 
 static void to_doubles(const struct aiMatrix4x4 *from, double to[16]) {
     const ai_real *rows = &from->a1;
@@ -698,7 +698,7 @@ static bool pose_mesh(const import *in, struct aiMesh *mesh) {
     return true;
 }
 
-/* ---- the whole ---------------------------------------------------------------------------------------------- */
+/* ---- the whole ------------------------------------------------------------------------------------------- */
 
 static void free_arrays(scene_mesh *mesh) {
     free(mesh->positions);
@@ -827,7 +827,7 @@ static void add_node(import *in, const struct aiNode *node, const double above[1
         add_node(in, node->mChildren[i], world, own);
 }
 
-/* How long a name is without the number at its end and what stands before that: link0_11 and link0_12 are of one kind. */
+/* How long a name is without the number at its end and what stands before it: link0_11 and link0_12 are of one kind. */
 static int stem_length(const char *name) {
     size_t length = strlen(name), digits = length;
     while (digits > 0 && isdigit((unsigned char)name[digits - 1]))
@@ -941,7 +941,7 @@ static scene *import_file(const char *path, load_report *report, char *message, 
     return convert(file, path, report, message, size); /* the process ends soon, and the import with it */
 }
 
-/* ---- between the two processes ------------------------------------------------------------------------------- */
+/* ---- between the two processes --------------------------------------------------------------------------- */
 
 typedef struct wire_header {
     char message[256]; /* "" for success */

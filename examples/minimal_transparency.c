@@ -21,9 +21,9 @@ typedef struct vertex {
 static vertex vertices[BALL + BOX];
 static unsigned char pixels[SIZE * SIZE * 4];
 
-static bool make_context(void)
-{
-    static const EGLint config[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_ES3_BIT, EGL_NONE};
+static bool make_context(void) {
+    static const EGLint config[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_ES3_BIT,
+                                    EGL_NONE};
     static const EGLint version[] = {EGL_CONTEXT_CLIENT_VERSION, 3, EGL_NONE};
     EGLDisplay display = eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, NULL);
     EGLConfig chosen;
@@ -37,8 +37,7 @@ static bool make_context(void)
 }
 
 /* A point of the unit ball seen along z: its silhouette is the circle z = 0. */
-static vertex ball_vertex(int ring, int sector)
-{
+static vertex ball_vertex(int ring, int sector) {
     const double pi = 3.14159265358979323846;
     double polar = pi * ring / RINGS, turn = 2.0 * pi * sector / SECTORS;
     double x = sin(polar) * cos(turn), y = sin(polar) * sin(turn), z = cos(polar);
@@ -48,8 +47,7 @@ static vertex ball_vertex(int ring, int sector)
 }
 
 /* Turned about two axes, so that three sides of the box show. */
-static void turn(float v[3])
-{
+static void turn(float v[3]) {
     float x = 0.82f * v[0] + 0.57f * v[2], z = 0.82f * v[2] - 0.57f * v[0];
     float y = 0.90f * v[1] - 0.44f * z;
     v[2] = 0.90f * z + 0.44f * v[1];
@@ -57,8 +55,7 @@ static void turn(float v[3])
     v[1] = y;
 }
 
-static void make_vertices(void)
-{
+static void make_vertices(void) {
     static const int corner[6][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 0}, {1, 1}, {0, 1}};
     vertex *out = vertices;
     for (int ring = 0; ring < RINGS; ++ring)
@@ -81,8 +78,7 @@ static void make_vertices(void)
     }
 }
 
-static void make_target(void)
-{
+static void make_target(void) {
     GLuint names[2], framebuffer, array, buffer;
     glGenRenderbuffers(2, names);
     glBindRenderbuffer(GL_RENDERBUFFER, names[0]);
@@ -105,10 +101,12 @@ static void make_target(void)
     glVertexAttribPointer(2, 1, GL_FLOAT, GL_FALSE, sizeof(vertex), (void *)offsetof(vertex, distance));
 }
 
-int main(void)
-{
+int main(void) {
     static const tr_object objects[2] = {{1, TR_TRANSPARENT}, {2, TR_OPAQUE}};
-#define VIEW {0.8f, 0, 0, 0, 0, 0.8f, 0, 0, 0, 0, -0.5f, 0, 0, 0, 0, 1}, {1, 0, 0, 0, 1, 0, 0, 0, 1} /* along -z */
+#define VIEW                                                                                                           \
+    {0.8f, 0, 0, 0, 0, 0.8f, 0, 0, 0, 0, -0.5f, 0, 0, 0, 0, 1}, {                                                      \
+        1, 0, 0, 0, 1, 0, 0, 0, 1                                                                                      \
+    } /* along -z */
     static const tr_material materials[2] = {{VIEW, {0.45f, 0.60f, 0.80f, 1}, 1.0f, 0.8f, 1},
                                              {VIEW, {0.90f, 0.45f, 0.15f, 1}, 0, 0, 2}};
     static const int first[2] = {0, BALL}, count[2] = {BALL, BOX};

@@ -19,7 +19,7 @@ static const float OCHRE[3] = {0.80f, 0.56f, 0.26f};
 static const float SLATE[3] = {0.46f, 0.52f, 0.66f};
 static const float SAND[3] = {0.86f, 0.80f, 0.68f};
 
-/* ---- a mesh being built -------------------------------------------------------------------------------------- */
+/* ---- a mesh being built ---------------------------------------------------------------------------------- */
 
 /* Solids are put together from loops of points: walls between two loops, and flat caps with holes between loops of the
  * same height. Surfaces that meet use the same points, so nothing has to be welded and no crack can open. */
@@ -92,7 +92,7 @@ static void place(builder *b, loop *l, const outline *o, double z) {
         l->v[i] = point(b, o->x[i], o->y[i], z);
 }
 
-/* ---- caps: polygons with holes into triangles ---------------------------------------------------------------- */
+/* ---- caps: polygons with holes into triangles ------------------------------------------------------------ */
 
 /* One polygon without holes: each hole is joined to the outside by a bridge that is walked twice. */
 typedef struct polygon {
@@ -252,7 +252,7 @@ static void ring_cap(builder *b, const loop *outer, const loop *hole, bool up) {
     cap(b, outer, &hole, 1, up);
 }
 
-/* ---- outlines and simple solids ------------------------------------------------------------------------------ */
+/* ---- outlines and simple solids -------------------------------------------------------------------------- */
 
 static void add_xy(outline *o, double x, double y) {
     if (o->n < LOOP_MAX) {
@@ -467,7 +467,7 @@ static void lay_down(scene *s) {
         scene_multiply(lying, s->parts[i].transform, s->parts[i].transform);
 }
 
-/* ---- mug: two boundaries around a box ------------------------------------------------------------------------- */
+/* ---- mug: two boundaries around a box -------------------------------------------------------------------- */
 
 enum { MUG_SEGMENTS = 96, MUG_ROWS = 40, HANDLE_COLUMNS = 4, HANDLE_ROWS = 4, HANDLE_STEPS = 28 };
 
@@ -514,8 +514,8 @@ static void patch_border(loop *border, const loop *rings, size_t row, bool upsid
         border->v[border->n++] = mug_point(rings, upside_down ? to + r : to - r, left);
 }
 
-/* The i-th of the points around a rectangle of the handle's columns and rows, in the order of patch_border, from -1 to 1
- * and moved from the square onto the circle in it. */
+/* The i-th of the points around a rectangle of the handle's columns and rows, in the order of patch_border, from -1
+ * to 1 and moved from the square onto the circle in it. */
 static void around_patch(size_t i, double *u, double *v) {
     static const double corners[5][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {-1, -1}};
     size_t side = 0, steps = HANDLE_COLUMNS;
@@ -611,7 +611,7 @@ static bool make_mug(scene *s) {
     return add(s, "mug/box", finish(&b, s, "mug/box"), standing, BRICK, 1) && ok;
 }
 
-/* ---- crank in a cylinder --------------------------------------------------------------------------------------- */
+/* ---- crank in a cylinder --------------------------------------------------------------------------------- */
 
 enum { THROWS = 4, CRANK_SEGMENTS = 48 };
 static const double THROW = 14, JOURNAL = 9, PIN = 7, JOURNAL_LENGTH = 12, PIN_LENGTH = 14, WEB = 6, ROD = 30;
@@ -725,7 +725,7 @@ static bool make_crank(scene *s) {
     return ok;
 }
 
-/* ---- gearbox ---------------------------------------------------------------------------------------------------- */
+/* ---- gearbox --------------------------------------------------------------------------------------------- */
 
 /* Lengths in millimetres. Everything that would touch is kept a tenth of a millimetre or more apart, as surfaces that
  * coincide would flicker. */
@@ -1158,7 +1158,7 @@ static bool make_gearbox(scene *s) {
     return ok;
 }
 
-/* ---- smaller ones ------------------------------------------------------------------------------------------------ */
+/* ---- smaller ones ---------------------------------------------------------------------------------------- */
 
 /* The middle line goes three times around the axis while it winds twice around the torus. */
 static void knot_point(double t, double p[3]) {
@@ -1230,7 +1230,7 @@ static bool make_shells(scene *s) {
     return add(s, "shells/core", finish(&b, s, "shells/core"), turned, BRICK, 1) && ok;
 }
 
-/* ---- dirty ones ---------------------------------------------------------------------------------------------------- */
+/* ---- dirty ones ------------------------------------------------------------------------------------------ */
 
 /* The half of a sphere above its middle, with nothing to close it. */
 static void half_sphere(builder *b, double radius, size_t segments, size_t rings) {
@@ -1351,7 +1351,7 @@ static bool make_dirty_flipped(scene *s) {
     return add_built(&b, s, "dirty_flipped/box", BRICK, 1) && ok;
 }
 
-/* ---- by name --------------------------------------------------------------------------------------------------------- */
+/* ---- by name --------------------------------------------------------------------------------------------- */
 
 const char *const models_names[] = {
     "mug",        "crank",         "gearbox",          "torus_knot",        "shells",

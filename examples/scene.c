@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- life and parts ---------------------------------------------------------------------------------------- */
+/* ---- life and parts -------------------------------------------------------------------------------------- */
 
 scene *scene_create(void) {
     scene *made = calloc(1, sizeof *made);
@@ -223,7 +223,7 @@ bool scene_bounds(const scene *s, double low[3], double high[3]) {
     return low[0] <= high[0];
 }
 
-/* ---- welding ----------------------------------------------------------------------------------------------- */
+/* ---- welding --------------------------------------------------------------------------------------------- */
 
 /* Records of up to nine floats, compared bit by bit. */
 typedef struct record {
@@ -288,7 +288,7 @@ size_t scene_weld(const float *positions, size_t vertex_count, uint32_t *places)
     return count;
 }
 
-/* Moves each vertex to its number; several vertices of one number are equal, so the order of writing does not matter. */
+/* Moves each vertex to its number; vertices of one number are equal, so the order of writing does not matter. */
 static void compact(float *floats, const uint32_t *numbers, size_t count) {
     for (size_t i = 0; floats && i < count;
          i++) /* a number is never larger than its vertex: nothing is overwritten early */
@@ -321,7 +321,7 @@ bool scene_mesh_share_vertices(scene_mesh *mesh) {
     return distinct != SIZE_MAX;
 }
 
-/* ---- edges ------------------------------------------------------------------------------------------------- */
+/* ---- edges ----------------------------------------------------------------------------------------------- */
 
 typedef struct half_edge {
     uint32_t low, high; /* places */
@@ -388,7 +388,7 @@ bool scene_mesh_closed(const scene_mesh *mesh, double *signed_volume) {
     return closed;
 }
 
-/* ---- normals ----------------------------------------------------------------------------------------------- */
+/* ---- normals --------------------------------------------------------------------------------------------- */
 
 static void subtract(const float *a, const float *b, double out[3]) {
     for (size_t i = 0; i < 3; i++)

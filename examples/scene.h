@@ -48,7 +48,7 @@ size_t scene_add_part(scene *s, const char *name, size_t mesh, const double tran
 size_t scene_find_part(const scene *s, const char *name);
 
 /* Moves everything of `from` into `into` and destroys `from`. Part names get "prefix/" in front where prefix is not
- * NULL; a scene of another up axis is turned to the axis of `into`. False: out of memory (from is destroyed all the same). */
+ * NULL; a scene of another up axis is turned to the axis of `into`. False: out of memory; `from` is gone even so. */
 bool scene_merge(scene *into, scene *from, const char *prefix);
 
 /* Replaces the normals by ones that are smooth across edges whose faces meet at less than crease_degrees and sharp

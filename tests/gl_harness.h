@@ -37,13 +37,11 @@ typedef struct harness {
     bool quiet;         /* errors are provoked now: KHR_debug's are not counted, nothing is printed */
 } harness;
 
-static inline tr_proc harness_get_proc(const char *name)
-{
+static inline tr_proc harness_get_proc(const char *name) {
     return (tr_proc)eglGetProcAddress(name);
 }
 
-static inline void harness_log(tr_log_level level, tr_result code, const char *text, void *user)
-{
+static inline void harness_log(tr_log_level level, tr_result code, const char *text, void *user) {
     harness *h = user;
     h->logged += level != TR_LOG_INFO;
     if (!h->quiet)
@@ -51,8 +49,7 @@ static inline void harness_log(tr_log_level level, tr_result code, const char *t
 }
 
 static inline void GLAD_API_PTR harness_debug(GLenum source, GLenum type, GLuint id, GLenum severity, GLsizei length,
-                                       const GLchar *text, const void *user)
-{
+                                              const GLchar *text, const void *user) {
     (void)source, (void)type, (void)id, (void)length;
     /* The harness outlives the context; GL hands user back as const. */
     harness *h = (harness *)(uintptr_t)user;
@@ -63,8 +60,7 @@ static inline void GLAD_API_PTR harness_debug(GLenum source, GLenum type, GLuint
 }
 
 /* A context of exactly what is asked for where the driver allows it, and a transparency.h capped to that version. */
-static inline void harness_open(harness *h, int version, bool es, const tr_desc *options)
-{
+static inline void harness_open(harness *h, int version, bool es, const tr_desc *options) {
     char message[256];
     tr_result result;
     tr_desc desc = {0};
@@ -89,16 +85,14 @@ static inline void harness_open(harness *h, int version, bool es, const tr_desc 
         fail_msg("tr_create: %s", tr_result_string(result));
 }
 
-static inline void harness_drop_target(harness *h)
-{
+static inline void harness_drop_target(harness *h) {
     glDeleteFramebuffers(1, &h->framebuffer);
     glDeleteTextures(1, &h->color);
     glDeleteTextures(1, &h->depth);
     h->framebuffer = h->color = h->depth = 0;
 }
 
-static inline void harness_close(harness *h)
-{
+static inline void harness_close(harness *h) {
     tr_destroy(h->tr);
     harness_drop_target(h);
     assert_int_equal(glGetError(), GL_NO_ERROR);
@@ -106,8 +100,7 @@ static inline void harness_close(harness *h)
     headless_destroy(&h->context);
 }
 
-static inline void harness_target(harness *h, int width, int height)
-{
+static inline void harness_target(harness *h, int width, int height) {
     harness_drop_target(h);
     h->width = width;
     h->height = height;
@@ -137,14 +130,14 @@ typedef struct harness_object {
 } harness_object;
 
 /* distances: attribute 2 of each vertex, or NULL. The arrays of truth stay the caller's. */
-static inline void harness_upload(harness_object *o, const float *distances)
-{
+static inline void harness_upload(harness_object *o, const float *distances) {
     const ref_object *t = &o->truth;
     const double *m = t->model;
     o->object.id = t->id;
     o->object.flags = (t->transparent ? TR_TRANSPARENT : 0u) | (t->two_sided ? TR_TWO_SIDED : 0u);
-    o->mirrored = m[0] * (m[5] * m[10] - m[6] * m[9]) - m[4] * (m[1] * m[10] - m[2] * m[9]) +
-                      m[8] * (m[1] * m[6] - m[2] * m[5]) < 0;
+    o->mirrored =
+        m[0] * (m[5] * m[10] - m[6] * m[9]) - m[4] * (m[1] * m[10] - m[2] * m[9]) + m[8] * (m[1] * m[6] - m[2] * m[5]) <
+        0;
     glGenVertexArrays(1, &o->array);
     glBindVertexArray(o->array);
     glGenBuffers(3, o->buffers);
@@ -160,7 +153,8 @@ static inline void harness_upload(harness_object *o, const float *distances)
         glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, 0, (const void *)bytes);
     }
     if (distances) {
-        glBufferSubData(GL_ARRAY_BUFFER, (GLintptr)(2 * bytes), (GLsizeiptr)(t->vertex_count * sizeof(float)), distances);
+        glBufferSubData(GL_ARRAY_BUFFER, (GLintptr)(2 * bytes), (GLsizeiptr)(t->vertex_count * sizeof(float)),
+                        distances);
         glEnableVertexAttribArray(2);
         glVertexAttribPointer(2, 1, GL_FLOAT, GL_FALSE, 0, (const void *)(2 * bytes));
     }
@@ -170,14 +164,12 @@ static inline void harness_upload(harness_object *o, const float *distances)
     glBindVertexArray(0);
 }
 
-static inline void harness_drop_object(harness_object *o)
-{
+static inline void harness_drop_object(harness_object *o) {
     glDeleteVertexArrays(1, &o->array);
     glDeleteBuffers(3, o->buffers);
 }
 
-static inline void harness_multiply(const double a[16], const double b[16], double out[16])
-{
+static inline void harness_multiply(const double a[16], const double b[16], double out[16]) {
     for (int c = 0; c < 4; ++c)
         for (int r = 0; r < 4; ++r) {
             double sum = 0;
@@ -188,10 +180,9 @@ static inline void harness_multiply(const double a[16], const double b[16], doub
 }
 
 /* Cofactors: the inverse transpose up to a positive factor. */
-static inline void harness_normal_matrix(const double m[16], float out[9])
-{
-    double det = m[0] * (m[5] * m[10] - m[6] * m[9]) - m[4] * (m[1] * m[10] - m[2] * m[9]) +
-                 m[8] * (m[1] * m[6] - m[2] * m[5]);
+static inline void harness_normal_matrix(const double m[16], float out[9]) {
+    double det =
+        m[0] * (m[5] * m[10] - m[6] * m[9]) - m[4] * (m[1] * m[10] - m[2] * m[9]) + m[8] * (m[1] * m[6] - m[2] * m[5]);
     for (int c = 0; c < 3; ++c)
         for (int r = 0; r < 3; ++r) {
             int a = (r + 1) % 3, b = (r + 2) % 3;
@@ -200,8 +191,7 @@ static inline void harness_normal_matrix(const double m[16], float out[9])
         }
 }
 
-static inline void harness_material(const ref_scene *scene, const ref_object *t, tr_material *material)
-{
+static inline void harness_material(const ref_scene *scene, const ref_object *t, tr_material *material) {
     double view_projection[16], mvp[16];
     memset(material, 0, sizeof *material);
     harness_multiply(scene->projection, scene->view, view_projection);
@@ -216,18 +206,19 @@ static inline void harness_material(const ref_scene *scene, const ref_object *t,
 }
 
 typedef struct harness_options {
-    int x, y;              /* viewport's corner in the target */
-    const float *d_max;    /* per object, or NULL */
+    int x, y;           /* viewport's corner in the target */
+    const float *d_max; /* per object, or NULL */
     const float *k;
     const GLuint *programs; /* the host's own, by rule, or NULL; then draw_own sets its uniforms */
     void (*set_own)(GLuint program, const tr_material *material);
-    int passes;            /* out: how many passes asked for surfaces */
+    int passes; /* out: how many passes asked for surfaces */
 } harness_options;
 
-static inline tr_frame harness_frame(const harness *h, const ref_scene *scene, const harness_object *objects, size_t count)
-{
+static inline tr_frame harness_frame(const harness *h, const ref_scene *scene, const harness_object *objects,
+                                     size_t count) {
     tr_frame frame = {0};
-    static const tr_interior interiors[3] = {TR_INTERIOR_IMPLICIT, TR_INTERIOR_IMPLICIT_PUBLISHED, TR_INTERIOR_EXPLICIT};
+    static const tr_interior interiors[3] = {TR_INTERIOR_IMPLICIT, TR_INTERIOR_IMPLICIT_PUBLISHED,
+                                             TR_INTERIOR_EXPLICIT};
     static const tr_blending blendings[3] = {TR_BLENDING_PUBLISHED, TR_BLENDING_NORMALISED, TR_BLENDING_OVER};
     bool shaded = false;
     for (size_t i = 0; i < count; ++i)
@@ -251,8 +242,7 @@ static inline tr_frame harness_frame(const harness *h, const ref_scene *scene, c
     return frame;
 }
 
-static inline void harness_clear(const harness *h, const double background[3], float depth)
-{
+static inline void harness_clear(const harness *h, const double background[3], float depth) {
     glBindFramebuffer(GL_FRAMEBUFFER, h->framebuffer);
     glClearColor((float)background[0], (float)background[1], (float)background[2], 1.0f);
     glClearDepthf(depth);
@@ -261,8 +251,7 @@ static inline void harness_clear(const harness *h, const double background[3], f
 
 /* Draws the objects in the order given and reads the picture back, four bytes a pixel, bottom row first. */
 static inline void harness_draw(harness *h, const ref_scene *scene, const harness_object *objects, size_t count,
-                         harness_options *options, unsigned char *pixels)
-{
+                                harness_options *options, unsigned char *pixels) {
     tr_frame frame = harness_frame(h, scene, objects, count);
     tr_pass pass;
     frame.x = options ? options->x : 0;
@@ -306,13 +295,13 @@ static inline void harness_draw(harness *h, const ref_scene *scene, const harnes
 /* ---- comparison ---- */
 
 typedef struct harness_error {
-    double max, left_out; /* max in 1/255; left_out: share of the pixels */
-    size_t worst;         /* pixel */
+    double max, left_out;         /* max in 1/255; left_out: share of the pixels */
+    size_t worst;                 /* pixel */
     size_t blended, seen_through; /* compared pixels with a blended surface; with an opaque thing behind it */
 } harness_error;
 
-static inline harness_error harness_compare(const ref_scene *scene, const ref_pixel *truth, const unsigned char *pixels)
-{
+static inline harness_error harness_compare(const ref_scene *scene, const ref_pixel *truth,
+                                            const unsigned char *pixels) {
     harness_error error = {0, 0, 0, 0, 0};
     size_t count = (size_t)scene->width * (size_t)scene->height, left = 0;
     for (size_t i = 0; i < count; ++i) {
@@ -336,8 +325,7 @@ static inline harness_error harness_compare(const ref_scene *scene, const ref_pi
 
 /* Prints the share left out and the passes that ran; error at most 2/255, share at most 10 %. */
 static inline void harness_check(harness *h, const char *name, const ref_scene *scene, const ref_pixel *truth,
-                          const unsigned char *pixels)
-{
+                                 const unsigned char *pixels) {
     harness_error error = harness_compare(scene, truth, pixels);
     const tr_plan *plan = tr_get_info(h->tr).plan;
     printf("    %-28s max %.2f/255, %4.1f %% left out, %zu blended, %zu seen through; passes:", name, error.max,

@@ -2,21 +2,21 @@
  * lines from plain arrays. */
 #include "gl_harness.h"
 
-/* ---- a scene of three boxes: glass in front of an opaque one, and glass behind ---- */
+/* ---- a scene of boxes: an opaque one in glass, glass behind, and an opaque one that the limit hides ---- */
 
 static const float corners[24] = {-1, -1, -1, 1, -1, -1, -1, 1, -1, 1, 1, -1, -1, -1, 1, 1, -1, 1, -1, 1, 1, 1, 1, 1};
 static const uint32_t outward[36] = {0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4,
                                      2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4, 6, 1, 3, 5, 3, 7, 5};
 static uint32_t turned_around[36];
 
-enum { SIZE = 96, BOXES = 3 };
+enum { SIZE = 96, BOXES = 4 };
 static ref_scene scene_of_boxes;
 static ref_object truths[BOXES];
 static harness_object boxes[BOXES];
 
-static void make_boxes(const uint32_t *indices)
-{
-    static const double sizes[BOXES] = {0.9, 0.4, 0.6}, shifts[BOXES][3] = {{0, 0, 0}, {0.1, 0, 0.2}, {0.6, 0.3, -2}};
+static void make_boxes(const uint32_t *indices) {
+    static const double sizes[BOXES] = {0.9, 0.4, 0.6, 0.4};
+    static const double shifts[BOXES][3] = {{0, 0, 0}, {0.1, 0, 0.2}, {0.6, 0.3, -2}, {-0.2, -0.3, -3}};
     memset(&scene_of_boxes, 0, sizeof scene_of_boxes);
     memset(truths, 0, sizeof truths);
     memset(boxes, 0, sizeof boxes);
@@ -31,8 +31,8 @@ static void make_boxes(const uint32_t *indices)
         truths[i].vertex_count = 8;
         truths[i].triangle_count = 12;
         truths[i].id = (uint32_t)(i + 1);
-        truths[i].transparent = i != 1;
-        truths[i].color[i] = 0.8;
+        truths[i].transparent = i % 2 == 0;
+        truths[i].color[i % 3] = 0.8;
         truths[i].alpha = 0.5;
         boxes[i].truth = truths[i];
         harness_upload(&boxes[i], NULL);
@@ -50,8 +50,7 @@ static void make_boxes(const uint32_t *indices)
     scene_of_boxes.object_count = BOXES;
 }
 
-static void drop_boxes(void)
-{
+static void drop_boxes(void) {
     for (int i = 0; i < BOXES; ++i)
         harness_drop_object(&boxes[i]);
 }
@@ -60,8 +59,7 @@ static const double grey[3] = {0.5, 0.5, 0.5};
 static unsigned char plain[SIZE * SIZE * 4], picture[SIZE * SIZE * 4];
 
 /* The picture that every variant below is to repeat, checked against the reference first. */
-static void draw_plain(void)
-{
+static void draw_plain(void) {
     static ref_pixel truth[SIZE * SIZE];
     harness h;
     harness_open(&h, 450, false, NULL);
@@ -76,8 +74,7 @@ static void draw_plain(void)
     harness_close(&h);
 }
 
-static int draw_plain_once(void **state)
-{
+static int draw_plain_once(void **state) {
     (void)state;
     for (int i = 0; i < 36; i += 3) {
         turned_around[i] = outward[i];
@@ -88,8 +85,7 @@ static int draw_plain_once(void **state)
     return 0;
 }
 
-static int differing_pixels(const unsigned char *a, const unsigned char *b, int most)
-{
+static int differing_pixels(const unsigned char *a, const unsigned char *b, int most) {
     int count = 0;
     for (size_t i = 0; i < SIZE * SIZE; ++i)
         for (size_t k = 0; k < 4; ++k)
@@ -109,8 +105,7 @@ static const char host_fragment[] = "uniform vec4 paint;\n"
                                     "uniform highp uint number;\n"
                                     "void main() { tr_surface(paint, number); }\n";
 
-static GLuint link_host_program(const harness *h, tr_rule rule)
-{
+static GLuint link_host_program(const harness *h, tr_rule rule) {
     GLuint program = glCreateProgram();
     char log[1024] = "";
     GLint ok = 0;
@@ -136,15 +131,13 @@ static GLuint link_host_program(const harness *h, tr_rule rule)
     return program;
 }
 
-static void set_host_uniforms(GLuint program, const tr_material *material)
-{
+static void set_host_uniforms(GLuint program, const tr_material *material) {
     glUniformMatrix4fv(glGetUniformLocation(program, "to_clip"), 1, GL_FALSE, material->model_view_projection);
     glUniform4fv(glGetUniformLocation(program, "paint"), 1, material->color);
     glUniform1ui(glGetUniformLocation(program, "number"), material->object);
 }
 
-static void check_host_shaders(int version, bool es)
-{
+static void check_host_shaders(int version, bool es) {
     harness h;
     GLuint programs[TR_RULE_COUNT];
     harness_options options = {0, 0, NULL, NULL, programs, set_host_uniforms, 0};
@@ -165,8 +158,7 @@ static void check_host_shaders(int version, bool es)
     harness_close(&h);
 }
 
-static void test_host_shaders_draw_the_same(void **state)
-{
+static void test_host_shaders_draw_the_same(void **state) {
     (void)state;
     check_host_shaders(450, false);
     check_host_shaders(330, false);
@@ -175,8 +167,7 @@ static void test_host_shaders_draw_the_same(void **state)
 
 /* ---- conventions ---- */
 
-static void test_reversed_depth_draws_the_same(void **state)
-{
+static void test_reversed_depth_draws_the_same(void **state) {
     harness h;
     tr_desc desc = {0};
     (void)state;
@@ -193,8 +184,7 @@ static void test_reversed_depth_draws_the_same(void **state)
     harness_close(&h);
 }
 
-static void test_clockwise_fronts_draw_the_same(void **state)
-{
+static void test_clockwise_fronts_draw_the_same(void **state) {
     harness h;
     tr_desc desc = {0};
     (void)state;
@@ -210,8 +200,7 @@ static void test_clockwise_fronts_draw_the_same(void **state)
 }
 
 /* Other texture units and binding points: nothing else may be wired to fixed numbers. */
-static void test_other_units_draw_the_same(void **state)
-{
+static void test_other_units_draw_the_same(void **state) {
     harness h;
     tr_desc desc = {0};
     (void)state;
@@ -227,8 +216,7 @@ static void test_other_units_draw_the_same(void **state)
     harness_close(&h);
 }
 
-static void test_viewport_in_a_larger_target(void **state)
-{
+static void test_viewport_in_a_larger_target(void **state) {
     static unsigned char all[(SIZE + 40) * (SIZE + 30) * 4];
     harness h;
     harness_options options = {23, 11, NULL, NULL, NULL, NULL, 0};
@@ -249,8 +237,7 @@ static void test_viewport_in_a_larger_target(void **state)
 }
 
 /* What the host drew nearer hides the picture; the picture's depth hides what comes after; alpha stays. */
-static void test_target_depth_and_alpha(void **state)
-{
+static void test_target_depth_and_alpha(void **state) {
     harness h;
     (void)state;
     harness_open(&h, 450, false, NULL);
@@ -278,8 +265,7 @@ static void test_target_depth_and_alpha(void **state)
     harness_close(&h);
 }
 
-static void test_other_attachments_are_not_written(void **state)
-{
+static void test_other_attachments_are_not_written(void **state) {
     static unsigned char other[SIZE * SIZE * 4];
     static const GLenum both[2] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
     static const float red[4] = {1, 0, 0, 1};
@@ -321,8 +307,7 @@ typedef struct line_vertex {
 static GLuint line_array, line_buffer;
 
 /* A bar from left to right, eight pixels thick about `y`. */
-static void upload_bar(float y, float depth)
-{
+static void upload_bar(float y, float depth) {
     line_vertex v[6];
     for (int i = 0; i < 6; ++i) {
         bool right = i == 1 || i == 2 || i == 4, top = i == 2 || i == 4 || i == 5;
@@ -344,8 +329,7 @@ static void upload_bar(float y, float depth)
 }
 
 /* Draws boxes 0 (glass) and 1 (opaque) seen square on, and the bar as a line of one of them. */
-static void draw_with_bar(harness *h, uint32_t owner, uint32_t kind)
-{
+static void draw_with_bar(harness *h, uint32_t owner, uint32_t kind) {
     tr_frame frame = harness_frame(h, &scene_of_boxes, boxes, 2);
     tr_pass pass;
     frame.wishes.blending = TR_BLENDING_OVER;
@@ -374,8 +358,7 @@ static void draw_with_bar(harness *h, uint32_t owner, uint32_t kind)
     glReadPixels(0, 0, SIZE, SIZE, GL_RGBA, GL_UNSIGNED_BYTE, picture);
 }
 
-static void expect(int x, int y, double r, double g, double b)
-{
+static void expect(int x, int y, double r, double g, double b) {
     const double color[3] = {r, g, b};
     for (int k = 0; k < 3; ++k) {
         int found = picture[4 * (y * SIZE + x) + k];
@@ -388,8 +371,7 @@ static void expect(int x, int y, double r, double g, double b)
  * box (0 0.8 0) pixels 37 to 67 by its size 0.4 and shift 0.1, at 0.44 to 0.52; the background is 0.5 grey. */
 enum { OUTSIDE = 8, GLASS = 26, CORE = 50, LINE_Y = 48 };
 
-static void test_lines_lie_between_the_surfaces(void **state)
-{
+static void test_lines_lie_between_the_surfaces(void **state) {
     harness h;
     (void)state;
     harness_open(&h, 450, false, NULL);
@@ -429,7 +411,8 @@ static void test_lines_lie_between_the_surfaces(void **state)
     expect(GLASS, LINE_Y, 1, 0, 0);
     expect(CORE, LINE_Y, 1, 0, 0);
 
-    upload_bar(LINE_Y, 0.5f); /* a line of the glass behind its front: faces of transparent objects never shine through */
+    upload_bar(LINE_Y,
+               0.5f); /* a line of the glass behind its front: faces of transparent objects never shine through */
     draw_with_bar(&h, 1, TR_LINES_OUTLINES);
     expect(OUTSIDE, LINE_Y, 1, 0, 0);
     expect(GLASS, LINE_Y, 0.65, 0.25, 0.25);
@@ -444,17 +427,12 @@ static void test_lines_lie_between_the_surfaces(void **state)
     harness_close(&h);
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_host_shaders_draw_the_same),
-        cmocka_unit_test(test_reversed_depth_draws_the_same),
-        cmocka_unit_test(test_clockwise_fronts_draw_the_same),
-        cmocka_unit_test(test_other_units_draw_the_same),
-        cmocka_unit_test(test_viewport_in_a_larger_target),
-        cmocka_unit_test(test_target_depth_and_alpha),
-        cmocka_unit_test(test_other_attachments_are_not_written),
-        cmocka_unit_test(test_lines_lie_between_the_surfaces),
+        cmocka_unit_test(test_host_shaders_draw_the_same),        cmocka_unit_test(test_reversed_depth_draws_the_same),
+        cmocka_unit_test(test_clockwise_fronts_draw_the_same),    cmocka_unit_test(test_other_units_draw_the_same),
+        cmocka_unit_test(test_viewport_in_a_larger_target),       cmocka_unit_test(test_target_depth_and_alpha),
+        cmocka_unit_test(test_other_attachments_are_not_written), cmocka_unit_test(test_lines_lie_between_the_surfaces),
     };
     return cmocka_run_group_tests_name("gl_hosts", tests, draw_plain_once, NULL);
 }

@@ -20,8 +20,7 @@ typedef struct test_scene {
 
 static const double identity[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
 
-static ref_object *add_object(test_scene *s, bool transparent, double r, double g, double b, double alpha)
-{
+static ref_object *add_object(test_scene *s, bool transparent, double r, double g, double b, double alpha) {
     assert_true(s->count < MAX_OBJECTS);
     ref_object *o = &s->truths[s->count++];
     memset(o, 0, sizeof *o);
@@ -34,8 +33,7 @@ static ref_object *add_object(test_scene *s, bool transparent, double r, double 
 }
 
 /* A ball of rings by 2 rings quads; from ring 0 to the last one below `until` (1: all of it), unit radius. */
-static void make_ball(test_scene *s, ref_object *o, double x, double y, double z, double radius, double until)
-{
+static void make_ball(test_scene *s, ref_object *o, double x, double y, double z, double radius, double until) {
     enum { RINGS = 24, SECTORS = 48 };
     size_t slot = (size_t)(o - s->truths);
     int rings = (int)(RINGS * until + 0.5);
@@ -66,24 +64,35 @@ static void make_ball(test_scene *s, ref_object *o, double x, double y, double z
     o->triangle_count = count / 3;
 }
 
-static void frustum(double half, double first, double last, double out[16])
-{
-    const double m[16] = {1 / half, 0, 0, 0, 0, 1 / half, 0, 0, 0, 0, -(last + first) / (last - first), -1,
-                          0,        0, -2 * last * first / (last - first), 0};
+static void frustum(double half, double first, double last, double out[16]) {
+    const double m[16] = {1 / half,
+                          0,
+                          0,
+                          0,
+                          0,
+                          1 / half,
+                          0,
+                          0,
+                          0,
+                          0,
+                          -(last + first) / (last - first),
+                          -1,
+                          0,
+                          0,
+                          -2 * last * first / (last - first),
+                          0};
     memcpy(out, m, sizeof m);
 }
 
 /* The eye at a distance from the origin, azimuth about y from +z, elevation above. */
-static void look(double distance, double azimuth, double elevation, double out[16])
-{
+static void look(double distance, double azimuth, double elevation, double out[16]) {
     double a = azimuth * 0.0174532925199433, e = elevation * 0.0174532925199433;
     double ca = cos(a), sa = sin(a), ce = cos(e), se = sin(e);
     const double m[16] = {ca, -se * sa, ce * sa, 0, 0, ce, se, 0, -sa, -se * ca, ce * ca, 0, 0, 0, -distance, 1};
     memcpy(out, m, sizeof m);
 }
 
-static void init_scene(test_scene *s, int size)
-{
+static void init_scene(test_scene *s, int size) {
     memset(s, 0, sizeof *s);
     s->scene.width = s->scene.height = size;
     s->scene.background[0] = s->scene.background[1] = s->scene.background[2] = 1.0;
@@ -93,8 +102,7 @@ static void init_scene(test_scene *s, int size)
     frustum(0.5, 1, 10, s->scene.projection);
 }
 
-static void finish_scene(test_scene *s)
-{
+static void finish_scene(test_scene *s) {
     s->scene.objects = s->truths;
     s->scene.object_count = s->count;
     for (size_t i = 0; i < s->count; ++i) {
@@ -103,8 +111,7 @@ static void finish_scene(test_scene *s)
     }
 }
 
-static void drop_scene(test_scene *s)
-{
+static void drop_scene(test_scene *s) {
     for (size_t i = 0; i < s->count; ++i) {
         harness_drop_object(&s->objects[i]);
         free(s->owned[i]);
@@ -113,13 +120,13 @@ static void drop_scene(test_scene *s)
 }
 
 /* The parts of a built-in model. */
-static void add_model(test_scene *s, const scene *model)
-{
+static void add_model(test_scene *s, const scene *model) {
     for (size_t i = 0; i < model->part_count; ++i) {
         const scene_part *part = &model->parts[i];
         const scene_mesh *mesh = &model->meshes[part->mesh];
         bool glass = part->opacity < 1.0f;
-        ref_object *o = add_object(s, glass, (double)part->color[0], (double)part->color[1], (double)part->color[2], 0.4);
+        ref_object *o =
+            add_object(s, glass, (double)part->color[0], (double)part->color[1], (double)part->color[2], 0.4);
         memcpy(o->model, part->transform, sizeof o->model);
         o->positions = mesh->positions;
         o->normals = mesh->normals;
@@ -130,8 +137,7 @@ static void add_model(test_scene *s, const scene *model)
 }
 
 /* Looks at the middle of a model so that it fills most of the picture. */
-static void frame_model(test_scene *s, const scene *model)
-{
+static void frame_model(test_scene *s, const scene *model) {
     double low[3], high[3], radius = 0, turn[16], shift[16];
     assert_true(scene_bounds(model, low, high));
     memcpy(shift, identity, sizeof shift);
@@ -147,8 +153,7 @@ static void frame_model(test_scene *s, const scene *model)
 
 /* ---- the scenes by name ---- */
 
-static void shells(test_scene *s)
-{
+static void shells(test_scene *s) {
     make_ball(s, add_object(s, true, 0.3, 0.5, 0.9, 0.5), 0, 0, 0, 1.5, 1);
     make_ball(s, add_object(s, true, 0.9, 0.5, 0.3, 0.4), 0, 0, 0, 1.0, 1);
     make_ball(s, add_object(s, false, 0.1, 0.6, 0.1, 1), 0, 0, 0, 0.5, 1);
@@ -156,8 +161,7 @@ static void shells(test_scene *s)
     make_ball(s, add_object(s, false, 0.1, 0.1, 0.1, 1), 1.0, 0.8, 0.9, 0.3, 1);
 }
 
-static void intersecting(test_scene *s)
-{
+static void intersecting(test_scene *s) {
     make_ball(s, add_object(s, true, 0.3, 0.5, 0.9, 0.5), -0.5, 0, 0, 1.0, 1);
     make_ball(s, add_object(s, true, 0.9, 0.5, 0.3, 0.4), 0.5, 0, 0.2, 1.0, 1);
     make_ball(s, add_object(s, false, 0.1, 0.6, 0.1, 1), 0, 0, 0.2, 0.25, 1);
@@ -165,8 +169,7 @@ static void intersecting(test_scene *s)
     make_ball(s, add_object(s, false, 0.1, 0.1, 0.1, 1), 0.9, -0.2, 0.2, 0.3, 1);
 }
 
-static void eye_inside(test_scene *s)
-{
+static void eye_inside(test_scene *s) {
     make_ball(s, add_object(s, true, 0.3, 0.5, 0.9, 0.5), 0, 0, 4, 2.5, 1);
     make_ball(s, add_object(s, true, 0.9, 0.5, 0.3, 0.4), 0.4, 0, 0, 1.0, 1);
     make_ball(s, add_object(s, false, 0.1, 0.6, 0.1, 1), 0.4, 0, 0, 0.4, 1);
@@ -175,8 +178,7 @@ static void eye_inside(test_scene *s)
     frustum(0.5, 0.1, 10, s->scene.projection);
 }
 
-static void open_sheet(test_scene *s)
-{
+static void open_sheet(test_scene *s) {
     ref_object *bowl = add_object(s, true, 0.3, 0.5, 0.9, 0.5);
     make_ball(s, bowl, 0, 0, 0, 1.4, 0.6);
     bowl->two_sided = true;
@@ -186,8 +188,7 @@ static void open_sheet(test_scene *s)
     look(4, 10, -35, s->scene.view);
 }
 
-static void lone_sheet(test_scene *s)
-{
+static void lone_sheet(test_scene *s) {
     ref_object *bowl = add_object(s, true, 0.3, 0.5, 0.9, 0.5);
     make_ball(s, bowl, 0, 0, 0, 1.4, 0.6);
     bowl->two_sided = true;
@@ -197,15 +198,13 @@ static void lone_sheet(test_scene *s)
     look(4, 10, -35, s->scene.view);
 }
 
-static void coincident(test_scene *s)
-{
+static void coincident(test_scene *s) {
     make_ball(s, add_object(s, true, 0.3, 0.5, 0.9, 0.5), 0, 0, 0, 1.3, 1);
     make_ball(s, add_object(s, true, 0.9, 0.5, 0.3, 0.4), 0, 0, 0, 1.3, 1);
     make_ball(s, add_object(s, false, 0.1, 0.6, 0.1, 1), 0, 0, 0, 0.6, 1);
 }
 
-static void mirrored(test_scene *s)
-{
+static void mirrored(test_scene *s) {
     shells(s);
     for (size_t i = 0; i < s->count; i += 2) {
         s->truths[i].model[0] = -1.0;
@@ -214,14 +213,12 @@ static void mirrored(test_scene *s)
     }
 }
 
-static void only_glass(test_scene *s)
-{
+static void only_glass(test_scene *s) {
     make_ball(s, add_object(s, true, 0.3, 0.5, 0.9, 0.5), -0.5, 0, 0, 1.0, 1);
     make_ball(s, add_object(s, true, 0.9, 0.5, 0.3, 0.0), 0.5, 0, 0.2, 1.0, 1);
 }
 
-static void only_opaque(test_scene *s)
-{
+static void only_opaque(test_scene *s) {
     make_ball(s, add_object(s, false, 0.3, 0.5, 0.9, 1), -0.5, 0, 0, 1.0, 1);
 }
 
@@ -232,9 +229,11 @@ typedef struct named_scene {
 } named_scene;
 
 static const named_scene named_scenes[] = {
-    {"nested shells", shells, 6},      {"intersecting shells", intersecting, 6}, {"eye inside", eye_inside, 6},
-    {"open sheet", open_sheet, 10},    {"a sheet alone", lone_sheet, 4},         {"coincident shells", coincident, 6},
-    {"mirrored models", mirrored, 6},  {"only glass", only_glass, 4},            {"only opaque", only_opaque, 2},
+    {"nested shells", shells, 6},     {"intersecting shells", intersecting, 6},
+    {"eye inside", eye_inside, 6},    {"open sheet", open_sheet, 10},
+    {"a sheet alone", lone_sheet, 4}, {"coincident shells", coincident, 6},
+    {"mirrored models", mirrored, 6}, {"only glass", only_glass, 4},
+    {"only opaque", only_opaque, 2},
 };
 enum { NAMED_SCENES = sizeof named_scenes / sizeof named_scenes[0] };
 
@@ -242,23 +241,20 @@ enum { NAMED_SCENES = sizeof named_scenes / sizeof named_scenes[0] };
 
 static harness desktop;
 
-static int open_desktop(void **state)
-{
+static int open_desktop(void **state) {
     (void)state;
     harness_open(&desktop, 450, false, NULL);
     return 0;
 }
 
-static int close_desktop(void **state)
-{
+static int close_desktop(void **state) {
     (void)state;
     harness_close(&desktop);
     return 0;
 }
 
 /* All interiors and blendings of one scene against the reference. */
-static void check_all(harness *h, test_scene *s, const char *name, int passes)
-{
+static void check_all(harness *h, test_scene *s, const char *name, int passes) {
     static const char *const interiors[3] = {"", ", published", ", explicit"};
     static const char *const blendings[3] = {"published", "normalised", "over"};
     size_t pixels = (size_t)s->scene.width * (size_t)s->scene.height;
@@ -282,8 +278,7 @@ static void check_all(harness *h, test_scene *s, const char *name, int passes)
     free(picture);
 }
 
-static void test_scenes_match_reference(void **state)
-{
+static void test_scenes_match_reference(void **state) {
     (void)state;
     for (size_t i = 0; i < NAMED_SCENES; ++i) {
         test_scene s;
@@ -295,8 +290,7 @@ static void test_scenes_match_reference(void **state)
     }
 }
 
-static void test_models_match_reference(void **state)
-{
+static void test_models_match_reference(void **state) {
     static const char *const names[] = {"mug", "crank", "shells", "gearbox"};
     static const int sizes[] = {256, 256, 256, 480}; /* small parts need more pixels between their edges */
     (void)state;
@@ -318,8 +312,7 @@ static void test_models_match_reference(void **state)
 }
 
 /* Alpha by vertex, interpolated, and cool-to-warm shading, on a ball under perspective. */
-static void test_vertex_alpha_and_shading_match_reference(void **state)
-{
+static void test_vertex_alpha_and_shading_match_reference(void **state) {
     static const float d_max[2] = {1.5f, 0.0f}, k[2] = {0.7f, 0.0f};
     test_scene s;
     (void)state;
@@ -365,9 +358,27 @@ static void test_vertex_alpha_and_shading_match_reference(void **state)
     drop_scene(&s);
 }
 
+/* Both sides of an open bowl are shaded toward the eye: the back side's normal is turned around. */
+static void test_back_sides_are_shaded_toward_the_eye(void **state) {
+    const double cool[3] = {0, 0, 0.4}, warm[3] = {0.4, 0.4, 0};
+    test_scene s;
+    (void)state;
+    init_scene(&s, 200);
+    lone_sheet(&s);
+    for (size_t i = 0; i < s.count; ++i)
+        s.truths[i].cool_to_warm = true;
+    s.scene.light_direction[1] = 1, s.scene.light_direction[2] = 0.5;
+    memcpy(s.scene.cool, cool, sizeof cool);
+    memcpy(s.scene.warm, warm, sizeof warm);
+    s.scene.cool_mix = 0.2;
+    s.scene.warm_mix = 0.6;
+    finish_scene(&s);
+    check_all(&desktop, &s, "shaded bowl", 4);
+    drop_scene(&s);
+}
+
 /* The order of the host's array changes no bit. */
-static void test_draw_order_changes_nothing(void **state)
-{
+static void test_draw_order_changes_nothing(void **state) {
     (void)state;
     for (size_t i = 0; i < NAMED_SCENES; ++i) {
         static unsigned char first[128 * 128 * 4], other[128 * 128 * 4];
@@ -394,8 +405,7 @@ static void test_draw_order_changes_nothing(void **state)
     }
 }
 
-static void draw_shells(harness *h, unsigned char *pixels, harness_options *options)
-{
+static void draw_shells(harness *h, unsigned char *pixels, harness_options *options) {
     test_scene s;
     init_scene(&s, 128);
     shells(&s);
@@ -404,8 +414,7 @@ static void draw_shells(harness *h, unsigned char *pixels, harness_options *opti
     drop_scene(&s);
 }
 
-static int largest_difference(const unsigned char *a, const unsigned char *b, size_t count)
-{
+static int largest_difference(const unsigned char *a, const unsigned char *b, size_t count) {
     int largest = 0;
     for (size_t i = 0; i < count; ++i)
         largest = abs(a[i] - b[i]) > largest ? abs(a[i] - b[i]) : largest;
@@ -413,8 +422,7 @@ static int largest_difference(const unsigned char *a, const unsigned char *b, si
 }
 
 /* Older contexts give the picture of the newest one. */
-static void test_older_contexts_draw_the_same(void **state)
-{
+static void test_older_contexts_draw_the_same(void **state) {
     static const struct {
         int version;
         bool es;
@@ -446,8 +454,7 @@ static void test_older_contexts_draw_the_same(void **state)
 
 /* ---- probe pixels, worked out by hand ---- */
 
-static void add_probe_object(test_scene *s, const probe_object *p)
-{
+static void add_probe_object(test_scene *s, const probe_object *p) {
     ref_object *o = add_object(s, p->transparent, p->color[0], p->color[1], p->color[2], p->alpha);
     size_t slot = s->count - 1, vertices = 0, triangles = 0;
     float *v = malloc((size_t)p->polygon_count * 24 * sizeof *v);
@@ -471,8 +478,7 @@ static void add_probe_object(test_scene *s, const probe_object *p)
     o->triangle_count = triangles;
 }
 
-static void set_probe_camera(test_scene *s, const probe_camera *camera)
-{
+static void set_probe_camera(test_scene *s, const probe_camera *camera) {
     const double *rows[3] = {camera->right, camera->up, camera->toward};
     double n = camera->near_distance, f = camera->far_distance;
     memset(s->scene.view, 0, sizeof s->scene.view);
@@ -491,16 +497,14 @@ static void set_probe_camera(test_scene *s, const probe_camera *camera)
     }
 }
 
-static const probe_object *probe_object_of(const probe_scene *p, uint32_t id)
-{
+static const probe_object *probe_object_of(const probe_scene *p, uint32_t id) {
     for (int i = 0; i < p->object_count; ++i)
         if (p->objects[i].id == id)
             return &p->objects[i];
     return NULL;
 }
 
-static void probe_color(const probe_scene *p, probe_answer answer, ref_blending blending, double out[3])
-{
+static void probe_color(const probe_scene *p, probe_answer answer, ref_blending blending, double out[3]) {
     const probe_object *behind = probe_object_of(p, answer.behind), *front = probe_object_of(p, answer.front);
     const double *below = behind ? behind->color : p->background;
     memcpy(out, below, 3 * sizeof *out);
@@ -511,8 +515,7 @@ static void probe_color(const probe_scene *p, probe_answer answer, ref_blending 
 enum { PROBE_SIZE = 201 };
 
 /* Draws one view by all rules and blendings; counts the probes that were looked at. */
-static int check_probe_view(test_scene *s, const probe_scene *p, const probe_view *view)
-{
+static int check_probe_view(test_scene *s, const probe_scene *p, const probe_view *view) {
     static unsigned char picture[PROBE_SIZE * PROBE_SIZE * 4];
     int checked = 0;
     set_probe_camera(s, &view->camera);
@@ -530,14 +533,14 @@ static int check_probe_view(test_scene *s, const probe_scene *p, const probe_vie
             for (size_t k = 0; k < 3; ++k)
                 if (fabs(expected[k] * 255 - picture[4 * (y * PROBE_SIZE + x) + k]) > 2)
                     fail_msg("%s, %s, probe %d (%g, %g), variant %d: channel %zu is %d, should be %.1f", p->name,
-                             view->name, i, q->u, q->v, variant, k, picture[4 * (y * PROBE_SIZE + x) + k], expected[k] * 255);
+                             view->name, i, q->u, q->v, variant, k, picture[4 * (y * PROBE_SIZE + x) + k],
+                             expected[k] * 255);
         }
     }
     return checked;
 }
 
-static void test_probe_pixels(void **state)
-{
+static void test_probe_pixels(void **state) {
     int checked = 0;
     (void)state;
     harness_target(&desktop, PROBE_SIZE, PROBE_SIZE);
@@ -559,8 +562,7 @@ static void test_probe_pixels(void **state)
 }
 
 /* The colours worked out in full, arithmetic and all. */
-static void test_probe_examples(void **state)
-{
+static void test_probe_examples(void **state) {
     (void)state;
     for (int i = 0; i < PROBE_SCENE_COUNT; ++i)
         for (int e = 0; e < probe_scenes[i].example_count; ++e) {
@@ -577,14 +579,14 @@ static void test_probe_examples(void **state)
         }
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_probe_pixels),
         cmocka_unit_test(test_probe_examples),
         cmocka_unit_test(test_scenes_match_reference),
         cmocka_unit_test(test_models_match_reference),
         cmocka_unit_test(test_vertex_alpha_and_shading_match_reference),
+        cmocka_unit_test(test_back_sides_are_shaded_toward_the_eye),
         cmocka_unit_test(test_draw_order_changes_nothing),
         cmocka_unit_test(test_older_contexts_draw_the_same),
     };

@@ -20,11 +20,11 @@ enum { MAX_CALLS = 20000 };
 
 static struct {
     const char *version;
-    const char *missing;      /* function that get_proc does not know */
-    int fail_compile;         /* 1: shaders do not compile; 2: programs do not link */
-    int fail_framebuffer;     /* the n-th check of completeness fails; 0: none */
+    const char *missing;  /* function that get_proc does not know */
+    int fail_compile;     /* 1: shaders do not compile; 2: programs do not link */
+    int fail_framebuffer; /* the n-th check of completeness fails; 0: none */
     int framebuffer_checks, samples, max_texture_size;
-    int live[6];              /* textures, framebuffers, buffers, vertex arrays, shaders, programs */
+    int live[6]; /* textures, framebuffers, buffers, vertex arrays, shaders, programs */
     uint32_t next_name;
     const char *calls[MAX_CALLS];
     int call_count;
@@ -36,37 +36,32 @@ static struct {
 
 enum { TEXTURES, FRAMEBUFFERS, BUFFERS, ARRAYS, SHADERS, PROGRAMS };
 
-static void reset_driver(void)
-{
+static void reset_driver(void) {
     memset(&driver, 0, sizeof driver);
     driver.version = "4.5.0 Mock";
     driver.max_texture_size = 16384;
 }
 
-static void note(const char *name)
-{
+static void note(const char *name) {
     assert_true(driver.call_count < MAX_CALLS);
     driver.calls[driver.call_count++] = name;
 }
 
-static int called_since(int first, const char *name)
-{
+static int called_since(int first, const char *name) {
     int count = 0;
     for (int i = first; i < driver.call_count; ++i)
         count += strcmp(driver.calls[i], name) == 0;
     return count;
 }
 
-static void generate(int kind, int32_t count, uint32_t *names)
-{
+static void generate(int kind, int32_t count, uint32_t *names) {
     driver.live[kind] += count;
     for (int32_t i = 0; i < count; ++i)
         names[i] = ++driver.next_name;
 }
 
 /* Deleting the name 0 is silently nothing, as in GL. */
-static void discard(int kind, int32_t count, const uint32_t *names)
-{
+static void discard(int kind, int32_t count, const uint32_t *names) {
     for (int32_t i = 0; i < count; ++i)
         driver.live[kind] -= names[i] != 0;
 }
@@ -75,8 +70,7 @@ static void discard(int kind, int32_t count, const uint32_t *names)
 #define I int32_t
 #define B unsigned char
 #define FAKE(name, parameters, body)                                                                                   \
-    static void fake_##name parameters                                                                                 \
-    {                                                                                                                  \
+    static void fake_##name parameters {                                                                               \
         note(#name);                                                                                                   \
         body                                                                                                           \
     }
@@ -136,8 +130,8 @@ FAKE(LinkProgram, (U a), (void)a;)
 FAKE(PolygonMode, (U a, U b), (void)a; (void)b;)
 FAKE(ReadBuffer, (U a), (void)a;)
 FAKE(ShaderSource, (U a, I b, const char *const *c, const I *d), (void)a; (void)b; (void)c; (void)d;)
-FAKE(TexImage2D, (U a, I b, I c, I d, I e, I f, U g, U h, const void *i),
-     (void)a; (void)b; (void)c; (void)d; (void)e; (void)f; (void)g; (void)h; (void)i;)
+FAKE(TexImage2D, (U a, I b, I c, I d, I e, I f, U g, U h, const void *i), (void)a; (void)b; (void)c; (void)d; (void)e;
+     (void)f; (void)g; (void)h; (void)i;)
 FAKE(TexParameteri, (U a, U b, I c), (void)a; (void)b; (void)c;)
 FAKE(Uniform1i, (I a, I b), (void)a; (void)b;)
 FAKE(Uniform1ui, (I a, U b), (void)a; (void)b;)
@@ -149,43 +143,62 @@ FAKE(UniformMatrix4fv, (I a, I b, B c, const float *d), (void)a; (void)b; (void)
 FAKE(UseProgram, (U a), driver.program = a;)
 FAKE(Viewport, (I a, I b, I c, I d), (void)a; (void)b; (void)c; (void)d;)
 
-static void fake_GetIntegerv(U what, I *out)
-{
+static void fake_GetIntegerv(U what, I *out) {
     note("GetIntegerv");
     *out = 0;
     switch (what) {
-    case 0x0BA2u: out[1] = out[2] = out[3] = 7; break;  /* viewport */
-    case 0x0B40u: out[0] = 0x1B02; break;               /* polygon mode */
-    case 0x0D33u: *out = driver.max_texture_size; break;
-    case 0x8B4Du: *out = 32; break;                     /* texture units */
-    case 0x8A2Fu: *out = 36; break;                     /* uniform bindings */
-    case 0x8824u: *out = 8; break;                      /* draw buffers */
-    case 0x0D32u: *out = 8; break;                      /* clip distances */
-    case 0x80A9u: *out = driver.samples; break;
-    case 0x84E0u: *out = 0x84C0 + driver.active_unit; break;
-    case 0x8B8Du: *out = (I)driver.program; break;
-    case 0x8CA6u: *out = (I)driver.bound_framebuffer; break;
-    default: break;
+    case 0x0BA2u:
+        out[1] = out[2] = out[3] = 7;
+        break; /* viewport */
+    case 0x0B40u:
+        out[0] = 0x1B02;
+        break; /* polygon mode */
+    case 0x0D33u:
+        *out = driver.max_texture_size;
+        break;
+    case 0x8B4Du:
+        *out = 32;
+        break; /* texture units */
+    case 0x8A2Fu:
+        *out = 36;
+        break; /* uniform bindings */
+    case 0x8824u:
+        *out = 8;
+        break; /* draw buffers */
+    case 0x0D32u:
+        *out = 8;
+        break; /* clip distances */
+    case 0x80A9u:
+        *out = driver.samples;
+        break;
+    case 0x84E0u:
+        *out = 0x84C0 + driver.active_unit;
+        break;
+    case 0x8B8Du:
+        *out = (I)driver.program;
+        break;
+    case 0x8CA6u:
+        *out = (I)driver.bound_framebuffer;
+        break;
+    default:
+        break;
     }
 }
 
-static U fake_CheckFramebufferStatus(U a)
-{
+static U fake_CheckFramebufferStatus(U a) {
     note("CheckFramebufferStatus");
     (void)a;
     return ++driver.framebuffer_checks == driver.fail_framebuffer ? 0x8CD6u : 0x8CD5u;
 }
 
-static U fake_CreateProgram(void)
-{
+static U fake_CreateProgram(void) {
     U name;
     note("CreateProgram");
     generate(PROGRAMS, 1, &name);
     return name;
 }
 
-static U fake_CreateShader(U a)
-{
+static U fake_CreateShader(U a) {
     U name;
     note("CreateShader");
     (void)a;
@@ -193,49 +206,42 @@ static U fake_CreateShader(U a)
     return name;
 }
 
-static const B *fake_GetString(U a)
-{
+static const B *fake_GetString(U a) {
     note("GetString");
     (void)a;
     return (const B *)driver.version;
 }
 
-static U fake_GetUniformBlockIndex(U a, const char *b)
-{
+static U fake_GetUniformBlockIndex(U a, const char *b) {
     note("GetUniformBlockIndex");
     (void)a, (void)b;
     return 0;
 }
 
-static I fake_GetUniformLocation(U a, const char *b)
-{
+static I fake_GetUniformLocation(U a, const char *b) {
     note("GetUniformLocation");
     (void)a, (void)b;
     return 1;
 }
 
-static B fake_IsEnabled(U a)
-{
+static B fake_IsEnabled(U a) {
     note("IsEnabled");
     (void)a;
     return 0;
 }
 
-static B fake_IsEnabledi(U a, U b)
-{
+static B fake_IsEnabledi(U a, U b) {
     note("IsEnabledi");
     (void)a, (void)b;
     return 0;
 }
 
-static B fake_IsProgram(U a)
-{
+static B fake_IsProgram(U a) {
     note("IsProgram");
     return a != 0;
 }
 
-static tr_proc get_proc(const char *name)
-{
+static tr_proc get_proc(const char *name) {
 #define GIVE(type, function, parameters)                                                                               \
     if (strcmp(name, "gl" #function) == 0)                                                                             \
         return driver.missing && strcmp(driver.missing, name) == 0 ? NULL : (tr_proc)fake_##function;
@@ -258,8 +264,7 @@ static const char *const required_names[] = {
 
 static int blocks, blocks_left;
 
-static void *count_alloc(size_t size, void *user)
-{
+static void *count_alloc(size_t size, void *user) {
     (void)user;
     if (blocks_left == 0)
         return NULL;
@@ -268,21 +273,18 @@ static void *count_alloc(size_t size, void *user)
     return malloc(size);
 }
 
-static void count_free(void *block, void *user)
-{
+static void count_free(void *block, void *user) {
     (void)user;
     blocks -= block != NULL;
     free(block);
 }
 
-static void keep_text(tr_log_level level, tr_result code, const char *text, void *user)
-{
+static void keep_text(tr_log_level level, tr_result code, const char *text, void *user) {
     (void)level, (void)code, (void)user;
     snprintf(driver.text + strlen(driver.text), sizeof driver.text - strlen(driver.text), "%s\n", text);
 }
 
-static tr_desc make_desc(tr_state_policy policy)
-{
+static tr_desc make_desc(tr_state_policy policy) {
     tr_desc desc = {0};
     desc.get_proc = get_proc;
     desc.alloc_fn = count_alloc;
@@ -294,8 +296,7 @@ static tr_desc make_desc(tr_state_policy policy)
     return desc;
 }
 
-static tr_frame make_frame(uint32_t opaque, uint32_t transparent)
-{
+static tr_frame make_frame(uint32_t opaque, uint32_t transparent) {
     tr_frame frame = {0};
     frame.width = 64;
     frame.height = 32;
@@ -305,8 +306,7 @@ static tr_frame make_frame(uint32_t opaque, uint32_t transparent)
     return frame;
 }
 
-static int run_frame(tr_context *tr, const tr_frame *frame)
-{
+static int run_frame(tr_context *tr, const tr_frame *frame) {
     tr_pass pass;
     int passes = 0;
     assert_int_equal(tr_begin(tr, frame), TR_OK);
@@ -316,8 +316,7 @@ static int run_frame(tr_context *tr, const tr_frame *frame)
     return passes;
 }
 
-static void assert_nothing_left(void)
-{
+static void assert_nothing_left(void) {
     for (int i = 0; i < 6; ++i)
         assert_int_equal(driver.live[i], 0);
     assert_int_equal(blocks, 0);
@@ -325,8 +324,7 @@ static void assert_nothing_left(void)
 
 /* ---- creation ---- */
 
-static void test_each_missing_function_is_named(void **state)
-{
+static void test_each_missing_function_is_named(void **state) {
     (void)state;
     for (size_t i = 0; i < sizeof required_names / sizeof required_names[0]; ++i) {
         tr_result result;
@@ -340,17 +338,25 @@ static void test_each_missing_function_is_named(void **state)
     }
 }
 
-static void test_versions(void **state)
-{
+static void test_versions(void **state) {
     static const struct {
         const char *version;
         int max, expected, es; /* expected 0: too old */
     } cases[] = {
-        {"3.3.0 NVIDIA 470", 0, 330, 0},  {"4.6 (Core Profile) Mesa", 0, 460, 0}, {"OpenGL ES 3.0 Mesa", 0, 300, 1},
-        {"OpenGL ES 3.2 v1.r1", 0, 320, 1}, {"4.6", 330, 330, 0},                 {"3.2.0", 0, 0, 0},
-        {"OpenGL ES 2.0", 0, 0, 1},       {"OpenGL ES-CM 1.1", 0, 0, 0},          {"", 0, 0, 0},
-        {NULL, 0, 0, 0},                  {"4", 0, 0, 0},                         {"4.", 0, 0, 0},
-        {"four.five", 0, 0, 0},           {"4.5", 320, 0, 0},
+        {"3.3.0 NVIDIA 470", 0, 330, 0},
+        {"4.6 (Core Profile) Mesa", 0, 460, 0},
+        {"OpenGL ES 3.0 Mesa", 0, 300, 1},
+        {"OpenGL ES 3.2 v1.r1", 0, 320, 1},
+        {"4.6", 330, 330, 0},
+        {"3.2.0", 0, 0, 0},
+        {"OpenGL ES 2.0", 0, 0, 1},
+        {"OpenGL ES-CM 1.1", 0, 0, 0},
+        {"", 0, 0, 0},
+        {NULL, 0, 0, 0},
+        {"4", 0, 0, 0},
+        {"4.", 0, 0, 0},
+        {"four.five", 0, 0, 0},
+        {"4.5", 320, 0, 0},
     };
     (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
@@ -373,8 +379,7 @@ static void test_versions(void **state)
     }
 }
 
-static void test_bad_descs(void **state)
-{
+static void test_bad_descs(void **state) {
     tr_result result;
     tr_desc desc = make_desc(TR_STATE_RESTORE);
     (void)state;
@@ -407,8 +412,7 @@ static void test_bad_descs(void **state)
 
 /* ---- frames ---- */
 
-static void test_failing_shaders_are_reported(void **state)
-{
+static void test_failing_shaders_are_reported(void **state) {
     (void)state;
     for (int how = 1; how <= 2; ++how) {
         tr_desc desc = make_desc(TR_STATE_RESTORE);
@@ -427,8 +431,7 @@ static void test_failing_shaders_are_reported(void **state)
     }
 }
 
-static void test_failing_framebuffers_leave_nothing(void **state)
-{
+static void test_failing_framebuffers_leave_nothing(void **state) {
     (void)state;
     for (int n = 1; n <= 7; ++n) { /* the target's check, then six of our own */
         tr_desc desc = make_desc(TR_STATE_RESTORE);
@@ -445,8 +448,7 @@ static void test_failing_framebuffers_leave_nothing(void **state)
     }
 }
 
-static void test_bad_frames(void **state)
-{
+static void test_bad_frames(void **state) {
     tr_desc desc = make_desc(TR_STATE_RESTORE);
     tr_pass pass;
     (void)state;
@@ -489,13 +491,12 @@ static void test_bad_frames(void **state)
 }
 
 /* From the second frame on: nothing created, deleted, compiled, uploaded, allocated, read back or waited for. */
-static void test_steady_frames_create_nothing(void **state)
-{
+static void test_steady_frames_create_nothing(void **state) {
     static const char *const never[] = {
-        "GenTextures", "GenFramebuffers", "GenBuffers",     "GenVertexArrays",     "CreateShader",
-        "CreateProgram", "TexImage2D",    "BufferData",     "BufferSubData",       "CompileShader",
-        "LinkProgram",   "ShaderSource",  "DeleteTextures", "DeleteFramebuffers",  "GetUniformLocation",
-        "Finish",        "ReadPixels",    "GetError",       "FramebufferTexture2D"};
+        "GenTextures",   "GenFramebuffers", "GenBuffers",     "GenVertexArrays",     "CreateShader",
+        "CreateProgram", "TexImage2D",      "BufferData",     "BufferSubData",       "CompileShader",
+        "LinkProgram",   "ShaderSource",    "DeleteTextures", "DeleteFramebuffers",  "GetUniformLocation",
+        "Finish",        "ReadPixels",      "GetError",       "FramebufferTexture2D"};
     (void)state;
     for (int policy = 0; policy < 4; ++policy) {
         tr_desc desc = make_desc((tr_state_policy)policy);
@@ -515,8 +516,7 @@ static void test_steady_frames_create_nothing(void **state)
 }
 
 /* STATE_NONE: in a steady frame not one GL call is made between tr_begin and tr_end. */
-static void test_state_none_makes_no_call(void **state)
-{
+static void test_state_none_makes_no_call(void **state) {
     tr_desc desc = make_desc(TR_STATE_NONE);
     tr_frame frame = make_frame(3, 4);
     tr_pass pass;
@@ -539,8 +539,7 @@ static void test_state_none_makes_no_call(void **state)
 }
 
 /* No pass reads a texture that it draws into. */
-static void test_no_pass_reads_what_it_draws(void **state)
-{
+static void test_no_pass_reads_what_it_draws(void **state) {
     (void)state;
     for (int variant = 0; variant < 24; ++variant) {
         tr_desc desc = make_desc(TR_STATE_NONE);
@@ -564,8 +563,7 @@ static void test_no_pass_reads_what_it_draws(void **state)
     }
 }
 
-static void test_resizing_leaks_nothing(void **state)
-{
+static void test_resizing_leaks_nothing(void **state) {
     tr_desc desc = make_desc(TR_STATE_RESTORE);
     (void)state;
     reset_driver();
@@ -586,8 +584,7 @@ static void test_resizing_leaks_nothing(void **state)
 
 /* ---- plans ---- */
 
-static int count_kind(const tr_plan *plan, tr_pass_kind kind)
-{
+static int count_kind(const tr_plan *plan, tr_pass_kind kind) {
     int count = 0;
     for (int i = 0; i < plan->pass_count; ++i)
         count += plan->passes[i].kind == kind;
@@ -595,8 +592,7 @@ static int count_kind(const tr_plan *plan, tr_pass_kind kind)
 }
 
 /* What is not in the scene or not wished costs no pass and no byte. */
-static void test_plans_hold_only_what_is_needed(void **state)
-{
+static void test_plans_hold_only_what_is_needed(void **state) {
     tr_scene scene = {0, 0, 0, 0};
     tr_wishes wishes = {TR_INTERIOR_IMPLICIT, TR_BLENDING_OVER, 0};
     tr_plan plan;
@@ -631,8 +627,7 @@ static void test_plans_hold_only_what_is_needed(void **state)
     assert_int_equal(count_kind(&plan, TR_PASS_LIMIT), 1); /* there it hides front faces as well */
 }
 
-static void test_largest_plan_fits(void **state)
-{
+static void test_largest_plan_fits(void **state) {
     tr_scene scene = {UINT32_MAX, UINT32_MAX, UINT32_MAX, UINT32_MAX};
     tr_plan plan;
     (void)state;
@@ -649,8 +644,7 @@ static void test_largest_plan_fits(void **state)
     assert_int_equal(tr_plan_make(&scene, &bad, &plan), TR_INVALID_ARGUMENT);
 }
 
-static void test_plan_prints_like_snprintf(void **state)
-{
+static void test_plan_prints_like_snprintf(void **state) {
     tr_scene scene = {1, 0, 2, 0};
     tr_wishes wishes = {TR_INTERIOR_IMPLICIT, TR_BLENDING_OVER, TR_LINES_OUTLINES};
     tr_plan plan;
@@ -668,13 +662,14 @@ static void test_plan_prints_like_snprintf(void **state)
     assert_int_equal(part[10], 'x');
 }
 
-static void test_objects_and_passes(void **state)
-{
-    static const tr_object objects[4] = {{1, TR_OPAQUE}, {2, TR_TWO_SIDED}, {3, TR_TRANSPARENT}, {4, TR_TRANSPARENT | TR_TWO_SIDED}};
+static void test_objects_and_passes(void **state) {
+    static const tr_object objects[4] = {
+        {1, TR_OPAQUE}, {2, TR_TWO_SIDED}, {3, TR_TRANSPARENT}, {4, TR_TRANSPARENT | TR_TWO_SIDED}};
     tr_pass pass;
     (void)state;
     tr_scene scene = tr_scene_count(objects, 4, sizeof objects[0]);
-    assert_true(scene.opaque == 1 && scene.opaque_two_sided == 1 && scene.transparent == 1 && scene.transparent_two_sided == 1);
+    assert_true(scene.opaque == 1 && scene.opaque_two_sided == 1 && scene.transparent == 1 &&
+                scene.transparent_two_sided == 1);
     memset(&pass, 0, sizeof pass);
     for (uint32_t classes = 0; classes < 16; ++classes)
         for (uint32_t i = 0; i < 4; ++i) {
@@ -687,8 +682,7 @@ static void test_objects_and_passes(void **state)
 
 /* ---- the alpha law: equation 2 and its bad inputs ---- */
 
-static void test_view_alpha(void **state)
-{
+static void test_view_alpha(void **state) {
     (void)state;
     for (float k = 0.0f; k <= 4.0f; k += 0.125f) {
         assert_true(tr_view_alpha(0.0f, 2.0f, k) == 1.0f); /* the silhouette is opaque for every k */
@@ -713,8 +707,7 @@ static void test_view_alpha(void **state)
     assert_true(tr_view_alpha(1e-45f, 1e38f, 0.0f) == 0.0f);
 }
 
-static void test_strings(void **state)
-{
+static void test_strings(void **state) {
     tr_desc desc = make_desc(TR_STATE_RESTORE);
     int count = 0;
     (void)state;
@@ -738,8 +731,7 @@ static void test_strings(void **state)
     assert_nothing_left();
 }
 
-int main(void)
-{
+int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_each_missing_function_is_named),
         cmocka_unit_test(test_versions),

@@ -39,6 +39,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+/* clang-format off */
+
 /* convex, counter-clockwise seen from outside, world space */
 typedef struct probe_polygon { int count; double vertices[8][3]; } probe_polygon;
 
@@ -932,4 +934,5 @@ static const probe_scene probe_scenes[] = {
 
 enum { PROBE_SCENE_COUNT = 9 };
 
+/* clang-format on */
 #endif

@@ -60,7 +60,7 @@ static void face_normal(const scene_mesh *mesh, size_t face, double normal[3]) {
     cross(u, v, normal);
 }
 
-/* ---- what holds for every model ---------------------------------------------------------------------------- */
+/* ---- what holds for every model -------------------------------------------------------------------------- */
 
 static void check_mesh(const scene_mesh *mesh) {
     assert_true(mesh->index_count > 0 && mesh->index_count % 3 == 0);
@@ -163,7 +163,7 @@ static void normals_are_smooth_on_round_and_sharp_on_square_things(void **state)
     scene_destroy(s);
 }
 
-/* ---- parts keep apart ---------------------------------------------------------------------------------------- */
+/* ---- parts keep apart ------------------------------------------------------------------------------------ */
 
 typedef struct world_triangle {
     double p[3][3], low[3], high[3];
@@ -274,7 +274,7 @@ static void of_the_crank_only_the_shaft_goes_through_the_cylinder(void **state) 
     scene_destroy(s);
 }
 
-/* ---- single models --------------------------------------------------------------------------------------------- */
+/* ---- single models --------------------------------------------------------------------------------------- */
 
 /* How often a ray from a point goes through a part's surface. */
 static size_t hits(const scene *s, const scene_part *part, const double from[3], const double to[3]) {
@@ -363,7 +363,7 @@ static void gears_mesh(void **state) {
     scene_destroy(s);
 }
 
-/* ---- dirty models ------------------------------------------------------------------------------------------------ */
+/* ---- dirty models ---------------------------------------------------------------------------------------- */
 
 typedef struct edge {
     uint32_t low, high;
@@ -487,7 +487,7 @@ static void clean_parts_have_none_of_these(void **state) {
     assert_int_equal(core.manifold, 18);
 }
 
-/* ---- scene functions ------------------------------------------------------------------------------------------------ */
+/* ---- scene functions ------------------------------------------------------------------------------------- */
 
 static void *copy_of(const void *bytes, size_t size) {
     void *copy = malloc(size);
@@ -568,6 +568,20 @@ static void normals_split_at_creases_only(void **state) {
         assert_true(fabs((double)smooth.normals[3 * (size_t)smooth.indices[0] + k] + 1 / sqrt(3)) < 1e-6);
     free_arrays(&sharp);
     free_arrays(&smooth);
+}
+
+/* Two sheets on one side of an edge, one inside out to the other: what lies on either is no continuation. */
+static void normals_are_not_joined_across_flipped_neighbours(void **state) {
+    (void)state;
+    static const float positions[12] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1, 0.1f};
+    static const uint32_t indices[6] = {0, 1, 2, 0, 1, 3};
+    scene_mesh mesh = {.positions = copy_of(positions, sizeof positions),
+                       .indices = copy_of(indices, sizeof indices),
+                       .vertex_count = 4,
+                       .index_count = 6};
+    assert_true(scene_mesh_make_normals(&mesh, 35));
+    assert_int_equal(mesh.vertex_count, 6);
+    free_arrays(&mesh);
 }
 
 static void vertices_that_are_equal_are_shared(void **state) {
@@ -661,6 +675,7 @@ int main(void) {
         cmocka_unit_test(welding_finds_places),
         cmocka_unit_test(closedness_and_volume),
         cmocka_unit_test(normals_split_at_creases_only),
+        cmocka_unit_test(normals_are_not_joined_across_flipped_neighbours),
         cmocka_unit_test(vertices_that_are_equal_are_shared),
         cmocka_unit_test(names_become_unique),
         cmocka_unit_test(merging_turns_and_names),

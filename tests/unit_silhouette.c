@@ -617,6 +617,10 @@ static void check_views(const shape *s, int views, int posed) {
         free(edges);
         free(edges_free);
     }
+    {
+        const sil_view nowhere = view_at(1, (double)NAN, 1, 1);
+        assert_int_equal(sil_extract(mesh, pose, &nowhere, SIL_SILHOUETTE, NULL, 0), 0);
+    }
     assert_true(total > (size_t)views);
     free(truth);
     sil_pose_destroy(pose);
@@ -878,6 +882,13 @@ static void test_bad_vertices_and_indices(void **state) {
     assert_int_equal(messages.warnings, 1);
     assert_int_equal(messages.last, SIL_DROPPED_FACES);
     sil_mesh_destroy(mesh);
+    desc.weld_distance = 0.01f;
+    mesh = sil_mesh_create(&desc, &result);
+    assert_int_equal(sil_mesh_get_info(mesh).dropped_face_count, 5);
+    assert_int_equal(sil_mesh_get_info(mesh).unique_vertex_count, 16);
+    sil_mesh_destroy(mesh);
+    desc.weld_distance = 0;
+    messages.warnings = 0;
     desc.index_count -= 1;
     assert_null(sil_mesh_create(&desc, &result));
     assert_int_equal(result, SIL_INCOMPLETE_TRIANGLE);
@@ -1114,6 +1125,62 @@ static void test_chains_of_faces_without_area(void **state) {
     sil_mesh_destroy(mesh);
 }
 
+/* Slivers behind slivers, and slivers on a border. */
+static void test_slivers(void **state) {
+    /* 0 .. 4 on a line, 5 above, 6 below, 7 between 0 and 1 */
+    const float positions[8 * 3] = {0, 0, 0, 1, 0, 0, 2, 0, 0, 3, 0, 0, 4, 0, 0, 2, 2, 0, 2, -2, 0, 0.5f, 0, 0};
+    /* two that share their longest edge, a third behind the first, and one face behind the second */
+    const uint32_t behind[4 * 3] = {0, 1, 4, 4, 3, 0, 0, 7, 1, 4, 6, 3};
+    /* a face whose border has two slivers on it, and nothing beyond */
+    const uint32_t border[3 * 3] = {0, 4, 5, 0, 1, 4, 4, 3, 0};
+    const sil_view above = view_at(1, 2, 9, 1);
+    sil_mesh *mesh = mesh_from(positions, 8, behind, 12);
+    sil_edge edges[16];
+    size_t count, i;
+    int in_view;
+    (void)state;
+    assert_int_equal(mesh->flat_count, 3);
+    for (i = 0; i < 3; ++i)
+        assert_int_equal(mesh->source[mesh->flat_root[i]], 3);
+    sil_mesh_destroy(mesh);
+    mesh = mesh_from(positions, 8, border, 9);
+    assert_int_equal(sil_mesh_get_info(mesh).nonmanifold_edge_count, 0);
+    assert_int_equal(sil_mesh_get_info(mesh).boundary_edge_count, 3);
+    for (in_view = 0; in_view < 2; ++in_view) {
+        count = sil_extract(mesh, NULL, in_view ? &above : NULL, 15, edges, 16);
+        assert_int_equal(count, 3);
+        for (i = 0; i < count; ++i) {
+            assert_int_equal(edges[i].kinds, SIL_BOUNDARY);
+            assert_int_equal(edges[i].face[0], 0);
+            assert_int_equal(edges[i].face[1], SIL_NONE);
+        }
+    }
+    sil_mesh_destroy(mesh);
+}
+
+/* A face in both windings among faces in one is wound as they are. */
+static void test_partly_two_sided(void **state) {
+    shape sheet = make_sheet(3), more = shape_new(sheet.vertex_count, sheet.index_count / 3 + 1);
+    const double toward[3] = {0.1, 0.2, 1}, eye[3] = {1, 1, 4};
+    sil_view view = sil_view_orthographic(toward);
+    sil_mesh *mesh;
+    (void)state;
+    memcpy(more.positions, sheet.positions, 12 * sheet.vertex_count);
+    more.vertex_count = sheet.vertex_count;
+    add_face(&more, sheet.indices[24], sheet.indices[26], sheet.indices[25]);
+    memcpy(more.indices + 3, sheet.indices, sheet.index_count * sizeof(uint32_t));
+    more.index_count += sheet.index_count;
+    mesh = mesh_of(&more);
+    assert_int_equal(sil_mesh_get_info(mesh).two_sided_face_count, 1);
+    assert_int_equal(sil_mesh_get_info(mesh).flipped_edge_count, 0);
+    assert_int_equal(sil_extract(mesh, NULL, &view, SIL_SILHOUETTE, NULL, 0), 0);
+    view = sil_view_perspective(eye);
+    assert_int_equal(sil_extract(mesh, NULL, &view, SIL_SILHOUETTE, NULL, 0), 0);
+    sil_mesh_destroy(mesh);
+    shape_free(&sheet);
+    shape_free(&more);
+}
+
 static void test_flipped_neighbours(void **state) {
     shape sheet = make_sheet(2);
     message_count messages = {0, 0, 0};
@@ -1259,6 +1326,19 @@ static void test_chains_of_closed_mesh(void **state) {
         free(edges);
     }
     assert_true(total > 150);
+    { /* a part of a set: what is left is in open strips, none of which passes over what is missing */
+        const sil_view view = grid_view(1);
+        size_t count, i, kept = 0;
+        sil_edge *edges = extract_all(mesh, pose, &view, SIL_SILHOUETTE, &count);
+        chain_result r;
+        for (i = 0; i < count; ++i)
+            if (i % 3)
+                edges[kept++] = edges[i];
+        r = chain_all(mesh, pose, edges, kept);
+        assert_true(check_chains(edges, kept, &r) < r.strip_count);
+        chain_free(&r);
+        free(edges);
+    }
     sil_pose_destroy(pose);
     sil_mesh_destroy(mesh);
     shape_free(&torus);
@@ -1590,6 +1670,22 @@ static void check_distances(const shape *s, const float *model, int flags, doubl
     sil_mesh_destroy(mesh);
 }
 
+/* Exactly 0 at both ends of an edge, though the foot of the perpendicular is rounded. */
+static void check_ends(const shape *s) {
+    sil_mesh *mesh = mesh_of(s);
+    size_t count, i;
+    sil_edge *edges = extract_all(mesh, NULL, NULL, 15, &count);
+    for (i = 0; i < count; ++i) {
+        float d;
+        assert_int_equal(sil_distances(mesh, NULL, &edges[i], 1, NULL, edges[i].a, 1, &d, NULL), SIL_OK);
+        assert_true(d <= 0);
+        assert_int_equal(sil_distances(mesh, NULL, &edges[i], 1, NULL, edges[i].b, 1, &d, NULL), SIL_OK);
+        assert_true(d <= 0);
+    }
+    free(edges);
+    sil_mesh_destroy(mesh);
+}
+
 static void test_distances(void **state) {
     static const float models[4][9] = {{1, 0, 0, 0, 1, 0, 0, 0, 1},         /* identity */
                                        {3, 0.5f, 0, -1, 0.2f, 0, 0, 1, -2}, /* stretched, sheared, mirrored */
@@ -1603,6 +1699,7 @@ static void test_distances(void **state) {
     for (m = 0; m < 4; ++m)
         for (flags = 0; flags < 4; ++flags)
             check_distances(&torus, models[m], flags, 0, &worst);
+    check_ends(&torus);
     for (i = 0; i < 3 * torus.vertex_count; ++i)
         torus.positions[i] = (float)((double)torus.positions[i] + 1000); /* far from the origin: as precise */
     check_distances(&torus, models[0], 0, 1000, &worst);
@@ -1894,8 +1991,9 @@ static void test_ribbon_values(void **state) {
         toward[0] = ortho ? 0 : -x0 / r;
         toward[1] = ortho ? 0 : -y0 / r;
         toward[2] = ortho ? 1 : -z0 / r;
-        /* One pixel's size across the way to the eye: in perspective a pixel is 2 / (SCREEN * focal) of the depth on the
-           plane z = -1, which is slanted to that way by the cosine c = -z0 / r, so that its area there is c of that. */
+        /* One pixel's size across the way to the eye: in perspective a pixel is 2 / (SCREEN * focal) of the depth on
+           the plane z = -1, which is slanted to that way by the cosine c = -z0 / r, so that its area there is c of
+           that. */
         pixel = ortho ? 40.0 / SCREEN : -z0 * 2 / (SCREEN * focal) * sqrt(-z0 / r);
         for (i = 0; i < 2; ++i) {
             const double z = z0 + (i ? step * toward[2] : 0), w = ortho ? 1 : -z;
@@ -2231,6 +2329,8 @@ int main(void) {
         cmocka_unit_test(test_nonmanifold),
         cmocka_unit_test(test_faces_without_area),
         cmocka_unit_test(test_chains_of_faces_without_area),
+        cmocka_unit_test(test_slivers),
+        cmocka_unit_test(test_partly_two_sided),
         cmocka_unit_test(test_flipped_neighbours),
         cmocka_unit_test(test_crease_angle),
         cmocka_unit_test(test_chains_of_closed_mesh),
