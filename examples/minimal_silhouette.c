@@ -1,4 +1,4 @@
-/* cc -std=c99 -I. examples/minimal_silhouette.c -o minimal_silhouette -lm && ./minimal_silhouette drawing.svg
+/* cc minimal_silhouette.c -o minimal_silhouette -lm     (needs silhouette.h beside it or -I)
 
    The smallest use of silhouette.h: a mesh from a formula, its lines for one eye, and an SVG of them. No window, no GL.
    The mesh is a nut, a torus whose tube has six flat sides: it has silhouettes, creases and hidden lines. */
