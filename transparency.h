@@ -90,7 +90,8 @@
                               set, clear and bind, and passes with vertex_count > 0 are drawn by the host as well
    Not touched, and expected to be at rest: conditional rendering, transform feedback, clip control's origin, sample
    shading. Clip distances are switched off in each pass; a host whose shaders write them switches them on again after
-   tr_next_pass. Under TR_STATE_NONE, tr_begin may still bind and restore when something is created or changed.
+   tr_next_pass. Under TR_STATE_NONE, tr_begin may still bind and restore when something is created or changed, and does
+   not look at the target: that it is complete and single-sampled is the host's to see to.
    The alpha channel of the target is not written. Other attachments than the target's first are masked off (not on ES
    before 3.2, where GL has no such mask: their content is undefined there).
    glGetError is never called, so that no error of the host's is swallowed.
@@ -279,6 +280,7 @@ typedef struct tr_plan_pass {
     uint32_t classes;             /* which objects: bit (flags of tr_object) */
     uint32_t lines;               /* 0: surfaces; else which lines */
     int clear_color, clear_depth; /* 1: the first to draw there */
+    uint32_t bytes_per_pixel;     /* of textures that this pass is the first to need */
     int cull;                     /* 0: nothing, 1: back faces, 2: front faces */
     const char *why;
 } tr_plan_pass;
@@ -1222,9 +1224,10 @@ static void tr_i_plan_textures(tr_plan *plan) {
         /* The copy is written, and the layer read, in full only where something was drawn: neither needs a clear. */
         pass->clear_color = (fresh & (1u << TR_I_OPAQUE_COLOR)) != 0;
         plan->textures |= fresh;
+        for (; fresh; fresh &= fresh - 1)
+            pass->bytes_per_pixel += 4;
+        plan->bytes_per_pixel += pass->bytes_per_pixel;
     }
-    for (i = 0; i < TR_I_TEXTURE_COUNT; ++i)
-        plan->bytes_per_pixel += 4 * ((plan->textures >> i) & 1u);
 }
 
 TR_I_API tr_result tr_plan_make(const tr_scene *counts, const tr_wishes *wishes, tr_plan *plan) {

@@ -981,12 +981,13 @@ static const char *interior_name(tr_interior interior) {
 
 static void put_passes(const renderer *r, text *t) {
     tr_info info = tr_get_info(r->tr);
+    unsigned long long pixels = (unsigned long long)r->tile_width * (unsigned long long)r->tile_height;
     put(t, "  \"passes\": [");
     for (int i = 0; i < info.plan->pass_count; ++i) {
         const tr_plan_pass *pass = &info.plan->passes[i];
         put(t, "%s\n    {\"pass\": \"%s\", \"why\": ", i ? "," : "", tr_pass_kind_name(pass->kind));
         put_string(t, pass->why);
-        put(t, ", \"milliseconds\": %.3f}", r->pass_ms[i]);
+        put(t, ", \"milliseconds\": %.3f, \"bytes\": %llu}", r->pass_ms[i], pass->bytes_per_pixel * pixels);
     }
     put(t, "\n  ],\n  \"bytes_per_pixel\": %u,\n  \"bytes\": %llu\n", (unsigned)info.plan->bytes_per_pixel,
         (unsigned long long)info.bytes);

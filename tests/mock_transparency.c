@@ -636,8 +636,12 @@ static void test_largest_plan_fits(void **state) {
         assert_int_equal(tr_plan_make(&scene, &wishes, &plan), TR_OK);
         assert_true(plan.pass_count <= TR_MAX_PASSES);
         assert_true(count_kind(&plan, TR_PASS_OWNER) == 2);
-        for (int i = 0; i < plan.pass_count; ++i)
+        uint32_t bytes = 0;
+        for (int i = 0; i < plan.pass_count; ++i) {
             assert_non_null(plan.passes[i].why);
+            bytes += plan.passes[i].bytes_per_pixel;
+        }
+        assert_int_equal(bytes, plan.bytes_per_pixel);
     }
     assert_int_equal(tr_plan_make(NULL, NULL, &plan), TR_INVALID_ARGUMENT);
     tr_wishes bad = {TR_INTERIOR_IMPLICIT, TR_BLENDING_OVER, 4};
