@@ -83,10 +83,12 @@
       - Memory comes from desc.allocator. sil_mesh_create and sil_pose_create allocate. sil_pose_set does so the first
         time. sil_chain needs scratch memory: with a pose it is kept there and only ever grows; sil_pose_reserve makes
         it large enough at once. So a steady frame allocates nothing. sil_chain without a pose allocates and frees in
-        the call. All other functions never allocate.
+        the call. A sil_edge_tree allocates when built over more edges than ever before, unless sil_edge_tree_reserve
+        has made room. All other functions never allocate.
       - No global variables. A mesh never changes once made: any number of threads may use it at once. A pose holds what
         changes; use one pose by one thread at a time. sil_distances only reads the pose, so several threads may share
-        one in calls of it, each with its own range of vertices.
+        one in calls of it, each with its own range of vertices; the same holds for sil_distances_by_tree and
+        sil_distances_at once the tree is built. These two use 40 KiB of stack.
 
     THE EYE
       The eye is homogeneous and in the coordinates of the mesh: a point with w = 1, or a direction toward the eye with
@@ -122,6 +124,8 @@
       - Lines hidden by the surface they lie on: draw ribbons with the depth test at depth minus one to two times slack.
       - Transparency that depends on the view (Diepstraten 2002, equation 2): alpha = 1 - pow(distance /
         sil_max_distance, k).
+      - Distances for many vertices in every frame: one sil_edge_tree, built after sil_extract, then ranges of vertices
+        by sil_distances_by_tree in as many threads as there are. sil_distances is for few edges or few vertices.
       - An animated character: one sil_pose an instance; sil_pose_set after skinning.
       - Dashes: discard where fmod(arc, period) > on. Arc is counted in pixels along a strip.
 
@@ -308,6 +312,27 @@ SIL_DEF sil_result sil_distances(const sil_mesh *mesh, const sil_pose *pose, con
                                  const sil_distance_desc *desc, size_t first_vertex, size_t vertex_count,
                                  float *distances, uint32_t *nearest);
 
+/* The same distances without trying every pair: a tree over the edges of one frame. The results are those of
+   sil_distances to the bit, but for the flag SIL_DISTANCE_INFINITE_LINE, which a tree does not take. */
+typedef struct sil_edge_tree sil_edge_tree;
+SIL_DEF sil_edge_tree *sil_edge_tree_create(const sil_mesh *mesh, sil_result *result);
+SIL_DEF void sil_edge_tree_destroy(sil_edge_tree *tree); /* before its mesh; NULL is fine */
+/* Makes room for so many edges, so that building allocates nothing later. */
+SIL_DEF sil_result sil_edge_tree_reserve(sil_edge_tree *tree, size_t edge_count);
+/* Over these edges in the pose's positions; edges are not needed afterwards, mesh and pose are. Build again after the
+   pose was set. SIL_INVALID_ARGUMENT, SIL_OUT_OF_MEMORY: the tree is empty then. */
+SIL_DEF sil_result sil_edge_tree_build(sil_edge_tree *tree, const sil_pose *pose, const sil_edge *edges,
+                                       size_t edge_count, const sil_distance_desc *desc);
+SIL_DEF size_t sil_edge_tree_bytes(const sil_edge_tree *tree); /* memory held by it */
+/* As sil_distances, from the tree as last built. Only reads it: threads may share one. SIL_INVALID_ARGUMENT also for a
+   tree that was never built. */
+SIL_DEF sil_result sil_distances_by_tree(const sil_edge_tree *tree, size_t first_vertex, size_t vertex_count,
+                                         float *distances, uint32_t *nearest);
+/* The same for any points, in the mesh's own coordinates (stride in bytes, 0: 12): of a mesh divided more finely, of
+   something near it. Points that follow each other should be close to each other. Not finite: +infinity, SIL_NONE. */
+SIL_DEF sil_result sil_distances_at(const sil_edge_tree *tree, const float *points, size_t stride, size_t count,
+                                    float *distances, uint32_t *nearest);
+
 /* Largest distance between the centre of the mesh and its vertices, in world units: d_object,max of Diepstraten 2002,
    equation 2. The centre is that of the bounding box, along the mesh's axes, of the vertices of the kept faces.
    model: as above; NULL for the identity. 0 for a mesh without faces. */
@@ -373,6 +398,7 @@ SIL_DEF size_t sil_ribbons(const sil_mesh *mesh, const sil_pose *pose, const sil
 #endif
 
 #define SIL_I_BLOCK 64u    /* faces or edges handled at a time; arrays of them are padded to a multiple of it */
+#define SIL_I_LANES 8u     /* segments whose distances are computed at a time */
 #define SIL_I_MANY 16u     /* in edge_kinds: the edge has more than two faces, listed in many_* */
 #define SIL_I_TWO_SIDED 1u /* in face_flags */
 #define SIL_I_NO_AREA 2u   /* in face_flags: corners exactly on a line */
@@ -2405,12 +2431,17 @@ SIL_DEF size_t sil_chain(const sil_mesh *mesh, sil_pose *pose, const sil_edge *e
 
 /* ---- distances ---- */
 
-/* Segments for the inner loop, one array a coordinate: both ends, and 1 / length^2 or 0. */
+/* Eight segments for the inner loop, one array a coordinate: both ends, and 1 / length^2 or 0. */
+typedef struct sil_i_lanes {
+    float px[SIL_I_LANES], py[SIL_I_LANES], pz[SIL_I_LANES];
+    float qx[SIL_I_LANES], qy[SIL_I_LANES], qz[SIL_I_LANES];
+    float inverse[SIL_I_LANES];
+} sil_i_lanes;
+
+/* A block of them, for trying all pairs. */
 typedef struct sil_i_segments {
     int endless; /* q is then the direction */
-    float px[SIL_I_BLOCK], py[SIL_I_BLOCK], pz[SIL_I_BLOCK];
-    float qx[SIL_I_BLOCK], qy[SIL_I_BLOCK], qz[SIL_I_BLOCK];
-    float inverse[SIL_I_BLOCK];
+    sil_i_lanes lanes[SIL_I_BLOCK / SIL_I_LANES];
     uint32_t index[SIL_I_BLOCK]; /* in the caller's array */
     float low[3], high[3];       /* box around them */
     size_t count;
@@ -2419,7 +2450,7 @@ typedef struct sil_i_segments {
 /* The mesh's coordinates to the world's, about the box's centre and divided by its size there, so that neither an
    offset nor a scale costs precision or range. */
 typedef struct sil_i_frame {
-    double model[9], center[3], scale;
+    double model[9], center[3], scale, shrink; /* shrink = 1 / scale, a power of two */
     const sil_i_shape *shape;
 } sil_i_frame;
 
@@ -2444,21 +2475,72 @@ static int sil_i_frame_make(sil_i_frame *frame, const sil_i_shape *shape, const 
     }
     (void)frexp(size, &i);
     frame->scale = size > 0 ? sil_i_scaled(1, i) : 1;
+    frame->shrink = 1 / frame->scale;
     return 1;
 }
 
-static void sil_i_to_frame(const sil_i_frame *frame, uint32_t vertex, double out[3]) {
-    const float *p = frame->shape->position + 3 * (size_t)vertex;
-    int i, k;
-    for (i = 0; i < 3; ++i) {
-        out[i] = 0;
-        for (k = 0; k < 3; ++k)
-            out[i] += frame->model[3 * k + i] * ((double)p[k] - frame->center[k]);
-        out[i] /= frame->scale;
-    }
+static void sil_i_to_frame(const sil_i_frame *frame, const float p[3], double out[3]) {
+    double d[3];
+    int i;
+    for (i = 0; i < 3; ++i)
+        d[i] = (double)p[i] - frame->center[i];
+    for (i = 0; i < 3; ++i)
+        out[i] = (frame->model[i] * d[0] + frame->model[3 + i] * d[1] + frame->model[6 + i] * d[2]) * frame->shrink;
 }
 
-static void sil_i_bound_segments(sil_i_segments *s) {
+/* A point whose distance is asked for. Further away than 10^12 sizes of the mesh, where squares may leave float's
+   range, it is brought back to there along its way from the centre; returns by what to multiply the distance found. */
+static double sil_i_point(const sil_i_frame *frame, const float p[3], float v[3]) {
+    const double furthest = 1e12;
+    double out[3], largest, grow;
+    int k;
+    sil_i_to_frame(frame, p, out);
+    largest = sil_i_larger(sil_i_abs(out[0]), sil_i_larger(sil_i_abs(out[1]), sil_i_abs(out[2])));
+    grow = largest > furthest ? largest / furthest : 1;
+    for (k = 0; k < 3; ++k)
+        v[k] = (float)(largest > furthest ? out[k] / grow : out[k]);
+    return grow;
+}
+
+static float sil_i_unscaled(const sil_i_frame *frame, float square, double grow) {
+    return (float)(sqrt((double)square) * grow * frame->scale);
+}
+
+/* One segment into a lane; 0 where its edge is not of this mesh or has an end that is not finite. */
+static int sil_i_load_lane(const sil_mesh *mesh, const sil_i_frame *frame, uint32_t edge, int endless, sil_i_lanes *s,
+                           size_t lane) {
+    const uint32_t *v = edge < mesh->edge_count ? mesh->edge_vertex + 2 * (size_t)edge : NULL;
+    double p[3], q[3], square;
+    int k;
+    if (!v || frame->shape->bad[v[0]] || frame->shape->bad[v[1]])
+        return 0;
+    sil_i_to_frame(frame, frame->shape->position + 3 * (size_t)v[0], p);
+    sil_i_to_frame(frame, frame->shape->position + 3 * (size_t)v[1], q);
+    square = (q[0] - p[0]) * (q[0] - p[0]) + (q[1] - p[1]) * (q[1] - p[1]) + (q[2] - p[2]) * (q[2] - p[2]);
+    for (k = 0; k < 3 && endless; ++k)
+        q[k] = square > 1e-30 ? (q[k] - p[k]) / sqrt(square) : 0;
+    s->px[lane] = (float)p[0];
+    s->py[lane] = (float)p[1];
+    s->pz[lane] = (float)p[2];
+    s->qx[lane] = (float)q[0];
+    s->qy[lane] = (float)q[1];
+    s->qz[lane] = (float)q[2];
+    s->inverse[lane] = square > 1e-30 ? (float)(1 / square) : 0; /* shorter than 1e-15 of the mesh: a point */
+    return 1;
+}
+
+static void sil_i_copy_lane(const sil_i_lanes *from, size_t at, sil_i_lanes *to, size_t lane) {
+    to->px[lane] = from->px[at];
+    to->py[lane] = from->py[at];
+    to->pz[lane] = from->pz[at];
+    to->qx[lane] = from->qx[at];
+    to->qy[lane] = from->qy[at];
+    to->qz[lane] = from->qz[at];
+    to->inverse[lane] = from->inverse[at];
+}
+
+/* Widens a box to hold eight segments; `any` is 0 where there is no box yet. */
+static void sil_i_bound_lanes(const sil_i_lanes *s, float low[3], float high[3], int any) {
     const float *p[3], *q[3];
     size_t i;
     int k;
@@ -2469,11 +2551,12 @@ static void sil_i_bound_segments(sil_i_segments *s) {
     q[1] = s->qy;
     q[2] = s->qz;
     for (k = 0; k < 3; ++k) {
-        s->low[k] = s->high[k] = p[k][0];
-        for (i = 0; i < s->count; ++i) {
+        if (!any)
+            low[k] = high[k] = p[k][0];
+        for (i = 0; i < SIL_I_LANES; ++i) {
             const float less = p[k][i] < q[k][i] ? p[k][i] : q[k][i], more = p[k][i] < q[k][i] ? q[k][i] : p[k][i];
-            s->low[k] = less < s->low[k] ? less : s->low[k];
-            s->high[k] = more > s->high[k] ? more : s->high[k];
+            low[k] = less < low[k] ? less : low[k];
+            high[k] = more > high[k] ? more : high[k];
         }
     }
 }
@@ -2494,51 +2577,29 @@ static int sil_i_out_of_reach(const sil_i_segments *s, const float v[3], float b
 /* The next block of edges, from edges[*next]; the rest of a last block repeats its last segment. */
 static void sil_i_load_segments(const sil_mesh *mesh, const sil_i_frame *frame, const sil_edge *edges,
                                 size_t edge_count, size_t *next, sil_i_segments *s) {
-    size_t n = 0;
-    int k;
-    for (; *next < edge_count && n < SIL_I_BLOCK; ++*next) {
-        const uint32_t edge = edges[*next].edge;
-        const uint32_t *v = edge < mesh->edge_count ? mesh->edge_vertex + 2 * (size_t)edge : NULL;
-        double p[3], q[3], square;
-        if (!v || frame->shape->bad[v[0]] || frame->shape->bad[v[1]])
-            continue;
-        sil_i_to_frame(frame, v[0], p);
-        sil_i_to_frame(frame, v[1], q);
-        square = (q[0] - p[0]) * (q[0] - p[0]) + (q[1] - p[1]) * (q[1] - p[1]) + (q[2] - p[2]) * (q[2] - p[2]);
-        for (k = 0; k < 3 && s->endless; ++k)
-            q[k] = square > 1e-30 ? (q[k] - p[k]) / sqrt(square) : 0;
-        s->px[n] = (float)p[0];
-        s->py[n] = (float)p[1];
-        s->pz[n] = (float)p[2];
-        s->qx[n] = (float)q[0];
-        s->qy[n] = (float)q[1];
-        s->qz[n] = (float)q[2];
-        s->inverse[n] = square > 1e-30 ? (float)(1 / square) : 0; /* shorter than 1e-15 of the mesh: a point */
-        s->index[n++] = (uint32_t)*next;
-    }
+    size_t n = 0, i;
+    for (; *next < edge_count && n < SIL_I_BLOCK; ++*next)
+        if (sil_i_load_lane(mesh, frame, edges[*next].edge, s->endless, &s->lanes[n / SIL_I_LANES], n % SIL_I_LANES))
+            s->index[n++] = (uint32_t)*next;
     s->count = n;
-    sil_i_bound_segments(s);
     for (; n && n < SIL_I_BLOCK; ++n) {
-        s->px[n] = s->px[n - 1];
-        s->py[n] = s->py[n - 1];
-        s->pz[n] = s->pz[n - 1];
-        s->qx[n] = s->qx[n - 1];
-        s->qy[n] = s->qy[n - 1];
-        s->qz[n] = s->qz[n - 1];
-        s->inverse[n] = s->inverse[n - 1];
+        sil_i_copy_lane(&s->lanes[(n - 1) / SIL_I_LANES], (n - 1) % SIL_I_LANES, &s->lanes[n / SIL_I_LANES],
+                        n % SIL_I_LANES);
         s->index[n] = s->index[n - 1];
     }
+    for (i = 0; n && i < SIL_I_BLOCK / SIL_I_LANES; ++i)
+        sil_i_bound_lanes(&s->lanes[i], s->low, s->high, i > 0);
 }
 
-/* Squared distances of one point to a block. The foot is m * p + t * q relative to the point, with m + t = 1, and
+/* Squared distances of one point to eight segments. The foot is m * p + t * q relative to the point, with m + t = 1, and
    exactly p or q at the ends: segments that share an end where it is the nearest point then tie exactly. The larger of a
    number and 0 is written as half its sum with its magnitude, which is exact, and has no branch: compilers then make
    vector code of it at -O2 too. */
-static void sil_i_squares(const sil_i_segments *s, const float v[3], float square[SIL_I_BLOCK]) {
+static void sil_i_squares(const sil_i_lanes *s, const float v[3], float square[SIL_I_LANES]) {
     const float x = v[0], y = v[1], z = v[2];
-    float feet[SIL_I_BLOCK], ends[SIL_I_BLOCK];
+    float feet[SIL_I_LANES], ends[SIL_I_LANES];
     size_t i;
-    for (i = 0; i < SIL_I_BLOCK; ++i) {
+    for (i = 0; i < SIL_I_LANES; ++i) {
         const float px = s->px[i] - x, py = s->py[i] - y, pz = s->pz[i] - z;
         const float qx = s->qx[i] - x, qy = s->qy[i] - y, qz = s->qz[i] - z;
         const float ex = s->qx[i] - s->px[i], ey = s->qy[i] - s->py[i], ez = s->qz[i] - s->pz[i];
@@ -2549,16 +2610,16 @@ static void sil_i_squares(const sil_i_segments *s, const float v[3], float squar
         feet[i] = rx * rx + ry * ry + rz * rz;
         ends[i] = qx * qx + qy * qy + qz * qz;
     }
-    for (i = 0; i < SIL_I_BLOCK; ++i) /* exactly 0 at q, though t is rounded */
+    for (i = 0; i < SIL_I_LANES; ++i) /* exactly 0 at q, though t is rounded */
         square[i] = ends[i] < feet[i] ? ends[i] : feet[i];
 }
 
 /* The same for endless lines: q is the direction, a unit vector or zero. */
-static void sil_i_squares_endless(const sil_i_segments *s, const float v[3], float square[SIL_I_BLOCK]) {
+static void sil_i_squares_endless(const sil_i_lanes *s, const float v[3], float square[SIL_I_LANES]) {
     const float x = v[0], y = v[1], z = v[2];
-    float result[SIL_I_BLOCK]; /* of its own, so that compilers know that it is no part of s */
+    float result[SIL_I_LANES]; /* of its own, so that compilers know that it is no part of s */
     size_t i;
-    for (i = 0; i < SIL_I_BLOCK; ++i) {
+    for (i = 0; i < SIL_I_LANES; ++i) {
         const float px = s->px[i] - x, py = s->py[i] - y, pz = s->pz[i] - z;
         const float t = px * s->qx[i] + py * s->qy[i] + pz * s->qz[i];
         const float rx = px - t * s->qx[i], ry = py - t * s->qy[i], rz = pz - t * s->qz[i];
@@ -2567,14 +2628,15 @@ static void sil_i_squares_endless(const sil_i_segments *s, const float v[3], flo
     memcpy(square, result, sizeof result);
 }
 
-static float sil_i_least(const float square[SIL_I_BLOCK]) {
-    float lane[8];
+/* The least of `count` numbers, a multiple of 8. */
+static float sil_i_least(const float *square, size_t count) {
+    float lane[SIL_I_LANES];
     size_t i, k;
     memcpy(lane, square, sizeof lane);
-    for (i = 8; i < SIL_I_BLOCK; i += 8)
-        for (k = 0; k < 8; ++k)
+    for (i = SIL_I_LANES; i < count; i += SIL_I_LANES)
+        for (k = 0; k < SIL_I_LANES; ++k)
             lane[k] = square[i + k] < lane[k] ? square[i + k] : lane[k];
-    for (k = 1; k < 8; ++k)
+    for (k = 1; k < SIL_I_LANES; ++k)
         lane[0] = lane[k] < lane[0] ? lane[k] : lane[0];
     return lane[0];
 }
@@ -2582,7 +2644,7 @@ static float sil_i_least(const float square[SIL_I_BLOCK]) {
 /* Takes what a block improves at one vertex. `held` is the nearest edge so far, in the caller's array. */
 static void sil_i_improve(const sil_i_segments *s, const sil_edge *edges, const float square[SIL_I_BLOCK], float *best,
                           uint32_t *held) {
-    const float least = sil_i_least(square);
+    const float least = sil_i_least(square, SIL_I_BLOCK);
     size_t i;
     if (least > *best)
         return;
@@ -2596,11 +2658,26 @@ static void sil_i_improve(const sil_i_segments *s, const sil_edge *edges, const 
     *best = least;
 }
 
+static void sil_i_try_block(const sil_i_segments *s, const sil_edge *edges, const float v[3], float *best,
+                            uint32_t *held) {
+    float square[SIL_I_BLOCK];
+    size_t i;
+    if (sil_i_out_of_reach(s, v, *best))
+        return;
+    for (i = 0; i < SIL_I_BLOCK / SIL_I_LANES; ++i)
+        if (s->endless)
+            sil_i_squares_endless(&s->lanes[i], v, square + i * SIL_I_LANES);
+        else
+            sil_i_squares(&s->lanes[i], v, square + i * SIL_I_LANES);
+    sil_i_improve(s, edges, square, best, held);
+}
+
 SIL_DEF sil_result sil_distances(const sil_mesh *mesh, const sil_pose *pose, const sil_edge *edges, size_t edge_count,
                                  const sil_distance_desc *desc, size_t first_vertex, size_t vertex_count,
                                  float *distances, uint32_t *nearest) {
     sil_i_frame frame;
     sil_i_segments segments;
+    float v[3];
     size_t i, next = 0;
     if (!mesh || (pose && pose->mesh != mesh) || (!edges && edge_count) || edge_count >= SIL_NONE ||
         first_vertex > mesh->vertex_count || vertex_count > mesh->vertex_count - first_vertex ||
@@ -2616,27 +2693,561 @@ SIL_DEF sil_result sil_distances(const sil_mesh *mesh, const sil_pose *pose, con
     while (next < edge_count) {
         sil_i_load_segments(mesh, &frame, edges, edge_count, &next, &segments);
         for (i = 0; i < vertex_count && segments.count; ++i) {
-            const uint32_t vertex = mesh->welded[first_vertex + i];
-            float square[SIL_I_BLOCK], v[3];
-            double p[3];
-            int k;
+            const size_t vertex = mesh->welded[first_vertex + i];
             if (frame.shape->bad[vertex])
                 continue;
-            sil_i_to_frame(&frame, vertex, p);
-            for (k = 0; k < 3; ++k)
-                v[k] = (float)p[k];
-            if (sil_i_out_of_reach(&segments, v, distances[i]))
-                continue;
-            if (segments.endless)
-                sil_i_squares_endless(&segments, v, square);
-            else
-                sil_i_squares(&segments, v, square);
-            sil_i_improve(&segments, edges, square, &distances[i], nearest ? &nearest[i] : NULL);
+            (void)sil_i_point(&frame, frame.shape->position + 3 * vertex, v);
+            sil_i_try_block(&segments, edges, v, &distances[i], nearest ? &nearest[i] : NULL);
         }
     }
     for (i = 0; i < vertex_count; ++i)
-        if (sil_i_finite(distances[i]))
-            distances[i] = (float)(sqrt((double)distances[i]) * frame.scale);
+        if (sil_i_finite(distances[i])) {
+            const float *p = frame.shape->position + 3 * (size_t)mesh->welded[first_vertex + i];
+            distances[i] = sil_i_unscaled(&frame, distances[i], sil_i_point(&frame, p, v));
+        }
+    return SIL_OK;
+}
+
+/* ---- distances by a tree ---- */
+
+/* Eight boxes, as middles and half sizes. */
+typedef struct sil_i_boxes {
+    float mid[3][SIL_I_LANES], half[3][SIL_I_LANES];
+} sil_i_boxes;
+
+#define SIL_I_LEVELS 12      /* 8^12 leaves are more than there can be */
+#define SIL_I_CHUNK 1024u    /* points that are put in an order of their own at a time */
+#define SIL_I_GROUP 32u      /* points that are looked for together */
+#define SIL_I_FEW 8u         /* of these, points that share a shorter list of leaves */
+#define SIL_I_CANDIDATES 24u /* most leaves that may hold the nearest segment of some point of a group */
+
+/* Segments in the order of a space-filling curve, eight a leaf, and boxes around each eight leaves, each eight of these,
+   and so on. Child k of box group i of a level is group or leaf 8 * i + k of the level below. */
+struct sil_edge_tree {
+    const sil_mesh *mesh;
+    sil_i_frame frame;
+    int built;
+    size_t capacity; /* edges */
+    size_t bytes;
+    void *memory;                 /* what follows is in it */
+    uint64_t *keys;               /* place on the curve << 32 | index in the caller's array */
+    sil_i_lanes *leaf;            /* the last one repeats its last segment */
+    uint32_t *index, *edge;       /* of each lane: in the caller's array, and that edge's index */
+    sil_i_boxes *box;             /* level 1 first */
+    size_t first[SIL_I_LEVELS];   /* of each level in box; level 0 is the leaves */
+    size_t leaf_count, box_count; /* box_count: of the level made last */
+    unsigned levels;              /* the level of the one topmost group; 0: no edges */
+};
+
+SIL_DEF sil_edge_tree *sil_edge_tree_create(const sil_mesh *mesh, sil_result *result) {
+    sil_edge_tree *tree = NULL;
+    sil_result code = mesh ? SIL_OK : SIL_INVALID_ARGUMENT;
+    if (mesh) {
+        tree = (sil_edge_tree *)mesh->allocator.alloc_fn(sizeof *tree, mesh->allocator.user);
+        if (tree) {
+            memset(tree, 0, sizeof *tree);
+            tree->mesh = mesh;
+            tree->bytes = sizeof *tree;
+        } else
+            code = SIL_OUT_OF_MEMORY;
+    }
+    if (result)
+        *result = code;
+    return tree;
+}
+
+SIL_DEF void sil_edge_tree_destroy(sil_edge_tree *tree) {
+    if (!tree)
+        return;
+    sil_i_give(&tree->mesh->allocator, tree->memory);
+    sil_i_give(&tree->mesh->allocator, tree);
+}
+
+static sil_result sil_i_tree_room(sil_edge_tree *tree, size_t edge_count) {
+    size_t leaves, boxes, lanes;
+    size_t size;
+    char *memory;
+    if (tree->memory && edge_count <= tree->capacity)
+        return SIL_OK;
+    leaves = edge_count / SIL_I_LANES + 1;
+    lanes = leaves * SIL_I_LANES;
+    boxes = leaves / 7 + SIL_I_LEVELS;
+    size =
+        lanes * (sizeof(uint64_t) + 2 * sizeof(uint32_t)) + leaves * sizeof(sil_i_lanes) + boxes * sizeof(sil_i_boxes);
+    memory = (char *)tree->mesh->allocator.alloc_fn(size, tree->mesh->allocator.user);
+    if (!memory)
+        return SIL_OUT_OF_MEMORY;
+    sil_i_give(&tree->mesh->allocator, tree->memory);
+    tree->built = 0;
+    tree->capacity = edge_count;
+    tree->bytes = sizeof *tree + size;
+    tree->memory = memory;
+    tree->keys = (uint64_t *)(void *)memory;
+    tree->index = (uint32_t *)(void *)(tree->keys + lanes);
+    tree->edge = tree->index + lanes;
+    tree->leaf = (sil_i_lanes *)(void *)(tree->edge + lanes);
+    tree->box = (sil_i_boxes *)(void *)(tree->leaf + leaves);
+    return SIL_OK;
+}
+
+SIL_DEF sil_result sil_edge_tree_reserve(sil_edge_tree *tree, size_t edge_count) {
+    if (!tree)
+        return SIL_INVALID_ARGUMENT;
+    return sil_i_tree_room(tree, edge_count > tree->mesh->edge_count ? tree->mesh->edge_count : edge_count);
+}
+
+SIL_DEF size_t sil_edge_tree_bytes(const sil_edge_tree *tree) {
+    return tree ? tree->bytes : 0;
+}
+
+/* Ten bits to every third one of thirty. */
+static uint32_t sil_i_spread_bits(uint32_t x) {
+    x = (x | x << 16) & 0x030000ffu;
+    x = (x | x << 8) & 0x0300f00fu;
+    x = (x | x << 4) & 0x030c30c3u;
+    return (x | x << 2) & 0x09249249u;
+}
+
+/* The place of an edge's middle on a curve through cubes within cubes. */
+static uint32_t sil_i_curve(const sil_i_frame *frame, const uint32_t vertex[2]) {
+    double p[3], q[3];
+    uint32_t code = 0;
+    int k;
+    sil_i_to_frame(frame, frame->shape->position + 3 * (size_t)vertex[0], p);
+    sil_i_to_frame(frame, frame->shape->position + 3 * (size_t)vertex[1], q);
+    for (k = 0; k < 3; ++k) {
+        const double at = (0.5 * (p[k] + q[k]) + 0.5) * 1023; /* within [-0.5, 0.5] */
+        code |= sil_i_spread_bits((uint32_t)(at < 0 ? 0 : at > 1023 ? 1023 : at)) << k;
+    }
+    return code;
+}
+
+/* Box k of the group `at`, around low .. high. Half sizes are rounded up. */
+static void sil_i_set_box(sil_i_boxes *at, size_t k, const float low[3], const float high[3]) {
+    int i;
+    for (i = 0; i < 3; ++i) {
+        const float mid = 0.5f * (low[i] + high[i]);
+        const float half = high[i] - mid > mid - low[i] ? high[i] - mid : mid - low[i];
+        at->mid[i][k] = mid;
+        at->half[i][k] = half * 1.000001f + 1e-30f;
+    }
+}
+
+/* The level above one of `count` leaves or groups. Places without a child have a box that no search reaches. */
+static void sil_i_tree_level(sil_edge_tree *tree, size_t count) {
+    const unsigned level = tree->levels;
+    const float nowhere[3] = {1e18f, 1e18f, 1e18f};
+    size_t i, k, j;
+    tree->first[level + 1] = level ? tree->first[level] + tree->box_count : 0;
+    tree->box_count = (count + SIL_I_LANES - 1) / SIL_I_LANES;
+    for (i = 0; i < tree->box_count * SIL_I_LANES; ++i) {
+        sil_i_boxes *at = &tree->box[tree->first[level + 1] + i / SIL_I_LANES];
+        float low[3], high[3];
+        if (i >= count) {
+            sil_i_set_box(at, i % SIL_I_LANES, nowhere, nowhere);
+            continue;
+        }
+        if (level == 0)
+            sil_i_bound_lanes(&tree->leaf[i], low, high, 0);
+        for (k = 0; k < 3 && level; ++k) {
+            const sil_i_boxes *child = &tree->box[tree->first[level] + i];
+            low[k] = 1e18f;
+            high[k] = -1e18f;
+            for (j = 0; j < SIL_I_LANES && child->mid[k][j] < 1e17f; ++j) {
+                const float less = child->mid[k][j] - child->half[k][j], more = child->mid[k][j] + child->half[k][j];
+                low[k] = less < low[k] ? less : low[k];
+                high[k] = more > high[k] ? more : high[k];
+            }
+        }
+        sil_i_set_box(at, i % SIL_I_LANES, low, high);
+    }
+    ++tree->levels;
+}
+
+SIL_DEF sil_result sil_edge_tree_build(sil_edge_tree *tree, const sil_pose *pose, const sil_edge *edges,
+                                       size_t edge_count, const sil_distance_desc *desc) {
+    const sil_mesh *mesh = tree ? tree->mesh : NULL;
+    size_t i, count = 0, known = 0, n = 0;
+    if (!tree)
+        return SIL_INVALID_ARGUMENT;
+    tree->built = 0;
+    if ((pose && pose->mesh != mesh) || (!edges && edge_count) || edge_count >= SIL_NONE ||
+        (desc && desc->flags & SIL_DISTANCE_INFINITE_LINE) ||
+        !sil_i_frame_make(&tree->frame, sil_i_shape_of(mesh, pose), desc ? desc->model : NULL))
+        return SIL_INVALID_ARGUMENT;
+    for (i = 0; i < edge_count; ++i)
+        known += edges[i].edge < mesh->edge_count;
+    if (sil_i_tree_room(tree, known) != SIL_OK)
+        return SIL_OUT_OF_MEMORY;
+    for (i = 0; i < edge_count; ++i)
+        if (edges[i].edge < mesh->edge_count)
+            tree->keys[count++] =
+                (uint64_t)sil_i_curve(&tree->frame, mesh->edge_vertex + 2 * (size_t)edges[i].edge) << 32 | i;
+    sil_i_sort_keys(tree->keys, count);
+    for (i = 0; i < count; ++i) {
+        const uint32_t index = (uint32_t)(tree->keys[i] & 0xffffffffu), edge = edges[index].edge;
+        if (!sil_i_load_lane(mesh, &tree->frame, edge, 0, &tree->leaf[n / SIL_I_LANES], n % SIL_I_LANES))
+            continue;
+        tree->index[n] = index;
+        tree->edge[n++] = edge;
+    }
+    for (; n % SIL_I_LANES; ++n) {
+        sil_i_copy_lane(&tree->leaf[n / SIL_I_LANES], (n - 1) % SIL_I_LANES, &tree->leaf[n / SIL_I_LANES],
+                        n % SIL_I_LANES);
+        tree->index[n] = tree->index[n - 1];
+        tree->edge[n] = tree->edge[n - 1];
+    }
+    tree->leaf_count = n / SIL_I_LANES;
+    tree->levels = 0;
+    if (n)
+        sil_i_tree_level(tree, tree->leaf_count);
+    while (n && tree->box_count > 1)
+        sil_i_tree_level(tree, tree->box_count);
+    tree->built = 1;
+    return SIL_OK;
+}
+
+/* A leaf (level 0) or group to be looked at, and the square of its box's distance. */
+typedef struct sil_i_visit {
+    float square;
+    uint32_t at;
+    unsigned level;
+} sil_i_visit;
+
+/* Puts the children within reach on the stack, the nearest on top. */
+static size_t sil_i_push_children(const sil_edge_tree *tree, sil_i_visit parent, const float v[3], float reach,
+                                  sil_i_visit *stack, size_t top) {
+    const sil_i_boxes *box = &tree->box[tree->first[parent.level] + parent.at];
+    const float x = v[0], y = v[1], z = v[2];
+    const size_t bottom = top;
+    float square[SIL_I_LANES];
+    size_t i, j;
+    for (i = 0; i < SIL_I_LANES; ++i) {
+        const float dx = fabsf(x - box->mid[0][i]) - box->half[0][i], ox = 0.5f * (dx + fabsf(dx));
+        const float dy = fabsf(y - box->mid[1][i]) - box->half[1][i], oy = 0.5f * (dy + fabsf(dy));
+        const float dz = fabsf(z - box->mid[2][i]) - box->half[2][i], oz = 0.5f * (dz + fabsf(dz));
+        square[i] = ox * ox + oy * oy + oz * oz;
+    }
+    for (i = 0; i < SIL_I_LANES; ++i) {
+        if (square[i] > reach)
+            continue;
+        for (j = top++; j > bottom && stack[j - 1].square < square[i]; --j)
+            stack[j] = stack[j - 1];
+        stack[j].square = square[i];
+        stack[j].at = (uint32_t)(parent.at * SIL_I_LANES + i);
+        stack[j].level = parent.level - 1;
+    }
+    return top;
+}
+
+/* The leaves that may hold the nearest segment of some point within `radius` of v. */
+typedef struct sil_i_near {
+    float v[3], radius;
+    float least; /* square of the distance of v to the nearest segment */
+    float reach; /* squares above this are out of reach: (distance to the nearest + 2 * radius)^2 and a margin that is
+                    more than the rounding of a distance, as in sil_i_out_of_reach */
+    size_t count;
+    uint32_t leaf[SIL_I_CANDIDATES];
+    float square[SIL_I_CANDIDATES]; /* least of each leaf */
+} sil_i_near;
+
+static void sil_i_near_start(sil_i_near *found) {
+    found->least = found->reach = 3e38f;
+    found->count = 0;
+}
+
+/* A leaf, if it is within reach. Returns 0 where there is no room for it. */
+static int sil_i_near_add(const sil_edge_tree *tree, sil_i_near *found, uint32_t leaf) {
+    float square[SIL_I_LANES], least;
+    sil_i_squares(&tree->leaf[leaf], found->v, square);
+    least = sil_i_least(square, SIL_I_LANES);
+    if (least > found->reach)
+        return 1;
+    if (found->count == SIL_I_CANDIDATES)
+        return 0;
+    found->leaf[found->count] = leaf;
+    found->square[found->count++] = least;
+    if (least < found->least) {
+        const float reach = sqrtf(least) + 2 * found->radius;
+        found->least = least;
+        found->reach = reach * reach * 1.001f + 1e-7f;
+    }
+    return 1;
+}
+
+/* Leaves that were taken before the nearest was known. */
+static void sil_i_near_sift(sil_i_near *found) {
+    size_t i, kept = 0;
+    for (i = 0; i < found->count; ++i)
+        if (found->square[i] <= found->reach) {
+            found->square[kept] = found->square[i];
+            found->leaf[kept++] = found->leaf[i];
+        }
+    found->count = kept;
+}
+
+/* Fills *found from its v and radius, beginning with a leaf that is likely to be close. 0: there are too many. */
+static int sil_i_collect(const sil_edge_tree *tree, uint32_t first, sil_i_near *found) {
+    sil_i_visit stack[(SIL_I_LANES - 1) * SIL_I_LEVELS + 1];
+    size_t top = 1;
+    sil_i_near_start(found);
+    (void)sil_i_near_add(tree, found, first);
+    stack[0].square = 0;
+    stack[0].at = 0;
+    stack[0].level = tree->levels;
+    while (top) {
+        const sil_i_visit visit = stack[--top];
+        if (visit.square > found->reach)
+            continue;
+        if (visit.level)
+            top = sil_i_push_children(tree, visit, found->v, found->reach, stack, top);
+        else if (visit.at != first && !sil_i_near_add(tree, found, visit.at))
+            return 0;
+    }
+    sil_i_near_sift(found);
+    return 1;
+}
+
+/* Points that are looked for at a time: where, and which of the caller's, in any order. */
+typedef struct sil_i_points {
+    float v[SIL_I_CHUNK][3];
+    double grow[SIL_I_CHUNK];
+    size_t first; /* of the caller's */
+    uint16_t order[SIL_I_CHUNK], spare[SIL_I_CHUNK], code[SIL_I_CHUNK];
+    size_t count;
+} sil_i_points;
+
+/* Is this place's edge first among those at the same distance? */
+static int sil_i_is_first(const sil_edge_tree *tree, size_t place, size_t held) {
+    return tree->edge[place] < tree->edge[held] ||
+           (tree->edge[place] == tree->edge[held] && tree->index[place] < tree->index[held]);
+}
+
+/* Takes what one leaf improves at a point; *best is 3e38 before the first. */
+static void sil_i_improve_by_leaf(const sil_edge_tree *tree, uint32_t leaf, const float v[3], float *best,
+                                  size_t *held) {
+    float square[SIL_I_LANES];
+    const size_t first = (size_t)leaf * SIL_I_LANES;
+    const float bound = *best;
+    int any = 0;
+    size_t i;
+    sil_i_squares(&tree->leaf[leaf], v, square);
+    for (i = 0; i < SIL_I_LANES; ++i)
+        any |= square[i] <= bound;
+    if (!any)
+        return;
+    for (i = 0; i < SIL_I_LANES; ++i)
+        if (square[i] < *best || (square[i] <= *best && sil_i_is_first(tree, first + i, *held))) {
+            *best = square[i];
+            *held = first + i;
+        }
+}
+
+/* The nearest segment of one point, by the tree alone; from the place *held on. */
+static float sil_i_search(const sil_edge_tree *tree, const float v[3], size_t *held) {
+    sil_i_visit stack[(SIL_I_LANES - 1) * SIL_I_LEVELS + 1];
+    float best = 3e38f;
+    const uint32_t first = (uint32_t)(*held / SIL_I_LANES);
+    size_t top = 1;
+    sil_i_improve_by_leaf(tree, first, v, &best, held);
+    stack[0].square = 0;
+    stack[0].at = 0;
+    stack[0].level = tree->levels;
+    while (top) {
+        const sil_i_visit visit = stack[--top];
+        const float reach = best * 1.001f + 1e-7f;
+        if (visit.square > reach)
+            continue;
+        if (visit.level)
+            top = sil_i_push_children(tree, visit, v, reach, stack, top);
+        else if (visit.at != first)
+            sil_i_improve_by_leaf(tree, visit.at, v, &best, held);
+    }
+    return best;
+}
+
+static void sil_i_answer(const sil_edge_tree *tree, const sil_i_points *points, size_t i, float square, size_t place,
+                         float *distances, uint32_t *nearest) {
+    const size_t slot = points->first + points->order[i];
+    distances[slot] = sil_i_unscaled(&tree->frame, square, points->grow[points->order[i]]);
+    if (nearest)
+        nearest[slot] = tree->index[place];
+}
+
+/* The box of points first .. end - 1 in their order. */
+static void sil_i_points_box(const sil_i_points *points, size_t first, size_t end, float low[3], float high[3]) {
+    size_t i;
+    int k;
+    for (k = 0; k < 3; ++k) {
+        low[k] = high[k] = points->v[points->order[first]][k];
+        for (i = first + 1; i < end; ++i) {
+            const float x = points->v[points->order[i]][k];
+            low[k] = x < low[k] ? x : low[k];
+            high[k] = x > high[k] ? x : high[k];
+        }
+    }
+}
+
+/* Puts points in the order of a space-filling curve, of 32 places each way through their box: by counting, twice. */
+static void sil_i_points_sort(sil_i_points *points) {
+    float low[3], high[3], scale[3];
+    uint16_t starts[256];
+    size_t i;
+    int k, pass;
+    sil_i_points_box(points, 0, points->count, low, high);
+    for (k = 0; k < 3; ++k)
+        scale[k] = high[k] > low[k] ? 31.9f / (high[k] - low[k]) : 0;
+    for (i = 0; i < points->count; ++i) {
+        uint32_t code = 0;
+        for (k = 0; k < 3; ++k)
+            code |= sil_i_spread_bits((uint32_t)((points->v[points->order[i]][k] - low[k]) * scale[k]) & 31u) << k;
+        points->code[points->order[i]] = (uint16_t)code;
+    }
+    for (pass = 0; pass < 2; ++pass) {
+        const uint16_t *from = pass ? points->spare : points->order;
+        uint16_t *to = pass ? points->order : points->spare;
+        uint16_t sum = 0;
+        memset(starts, 0, sizeof starts);
+        for (i = 0; i < points->count; ++i)
+            ++starts[points->code[from[i]] >> 8 * pass & 255];
+        for (i = 0; i < 256; ++i) {
+            const uint16_t here = starts[i];
+            starts[i] = sum;
+            sum = (uint16_t)(sum + here);
+        }
+        for (i = 0; i < points->count; ++i)
+            to[starts[points->code[from[i]] >> 8 * pass & 255]++] = from[i];
+    }
+}
+
+/* The middle and the radius of points first .. end - 1. */
+static void sil_i_near_bound(const sil_i_points *points, size_t first, size_t end, sil_i_near *found) {
+    float low[3], high[3], square = 0;
+    int k;
+    sil_i_points_box(points, first, end, low, high);
+    for (k = 0; k < 3; ++k) {
+        found->v[k] = 0.5f * (low[k] + high[k]);
+        square += 0.25f * (high[k] - low[k]) * (high[k] - low[k]);
+    }
+    found->radius = sqrtf(square) * 1.001f + 1e-7f;
+}
+
+/* Leaves by rising distance from v, which is put in place of its square. */
+static void sil_i_near_sort(sil_i_near *found) {
+    size_t i, j;
+    for (i = 0; i < found->count; ++i) {
+        const uint32_t leaf = found->leaf[i];
+        const float distance = sqrtf(found->square[i]);
+        for (j = i; j > 0 && found->square[j - 1] > distance; --j) {
+            found->leaf[j] = found->leaf[j - 1];
+            found->square[j] = found->square[j - 1];
+        }
+        found->leaf[j] = leaf;
+        found->square[j] = distance;
+    }
+}
+
+/* A few points against the leaves found for their group, the nearest to their middle first, as far as a leaf's
+   distance from the middle less that of the point from there is not more than the point's best. */
+static void sil_i_few(const sil_edge_tree *tree, const sil_i_points *points, size_t first, size_t end,
+                      const sil_i_near *found, size_t *held, float *distances, uint32_t *nearest) {
+    sil_i_near fewer;
+    size_t i, k;
+    sil_i_near_bound(points, first, end, &fewer);
+    sil_i_near_start(&fewer);
+    for (i = 0; i < found->count; ++i)
+        (void)sil_i_near_add(tree, &fewer, found->leaf[i]);
+    sil_i_near_sift(&fewer);
+    sil_i_near_sort(&fewer);
+    for (i = first; i < end; ++i) {
+        const float *v = points->v[points->order[i]];
+        const float x = v[0] - fewer.v[0], y = v[1] - fewer.v[1], z = v[2] - fewer.v[2];
+        const float away = sqrtf(x * x + y * y + z * z);
+        float best = 3e38f;
+        for (k = 0; k < fewer.count; ++k) {
+            const float apart = fewer.square[k] * 0.99999f - away * 1.00001f; /* both are rounded, and may be large */
+            if (apart > 0 && apart * apart > best * 1.001f + 1e-7f)
+                break;
+            sil_i_improve_by_leaf(tree, fewer.leaf[k], v, &best, held);
+        }
+        sil_i_answer(tree, points, i, best, *held, distances, nearest);
+    }
+}
+
+/* Points first .. end - 1 together if they are close to each other, else in halves, else one by one. *held: the place
+   of the nearest segment of the point before. */
+static void sil_i_group(const sil_edge_tree *tree, const sil_i_points *points, size_t first, size_t end, size_t *held,
+                        float *distances, uint32_t *nearest) {
+    sil_i_near found;
+    size_t i;
+    if (end - first <= SIL_I_FEW / 2) {
+        for (i = first; i < end; ++i) {
+            const float square = sil_i_search(tree, points->v[points->order[i]], held);
+            sil_i_answer(tree, points, i, square, *held, distances, nearest);
+        }
+        return;
+    }
+    sil_i_near_bound(points, first, end, &found);
+    if (sil_i_collect(tree, (uint32_t)(*held / SIL_I_LANES), &found)) {
+        for (i = first; i < end; i += SIL_I_FEW)
+            sil_i_few(tree, points, i, i + SIL_I_FEW < end ? i + SIL_I_FEW : end, &found, held, distances, nearest);
+        return;
+    }
+    sil_i_group(tree, points, first, first + (end - first) / 2, held, distances, nearest);
+    sil_i_group(tree, points, first + (end - first) / 2, end, held, distances, nearest);
+}
+
+/* The next points of the caller's (vertex NULL) or of the mesh; those that have no distance are answered at once. */
+static void sil_i_take_points(const sil_edge_tree *tree, const char *given, size_t stride, const uint32_t *vertex,
+                              size_t end, sil_i_points *points, float *distances, uint32_t *nearest) {
+    size_t i;
+    points->count = 0;
+    for (i = points->first; i < end; ++i) {
+        const uint16_t at = (uint16_t)(i - points->first);
+        float p[3];
+        memcpy(p, given + (vertex ? vertex[i] : i) * stride, sizeof p); /* strides may leave floats unaligned */
+        if (!tree->levels || !sil_i_all_finite(p, 3) || (vertex && tree->frame.shape->bad[vertex[i]])) {
+            distances[i] = sil_i_infinity();
+            if (nearest)
+                nearest[i] = SIL_NONE;
+            continue;
+        }
+        points->grow[at] = sil_i_point(&tree->frame, p, points->v[at]);
+        points->order[points->count++] = at;
+    }
+}
+
+static void sil_i_ask(const sil_edge_tree *tree, const char *given, size_t stride, const uint32_t *vertex, size_t count,
+                      float *distances, uint32_t *nearest) {
+    sil_i_points points;
+    size_t i, held = 0;
+    for (points.first = 0; points.first < count; points.first += SIL_I_CHUNK) {
+        const size_t left = count - points.first, end = points.first + (left < SIL_I_CHUNK ? left : SIL_I_CHUNK);
+        sil_i_take_points(tree, given, stride, vertex, end, &points, distances, nearest);
+        if (points.count)
+            sil_i_points_sort(&points);
+        for (i = 0; i < points.count; i += SIL_I_GROUP)
+            sil_i_group(tree, &points, i, i + SIL_I_GROUP < points.count ? i + SIL_I_GROUP : points.count, &held,
+                        distances, nearest);
+    }
+}
+
+SIL_DEF sil_result sil_distances_by_tree(const sil_edge_tree *tree, size_t first_vertex, size_t vertex_count,
+                                         float *distances, uint32_t *nearest) {
+    if (!tree || !tree->built || first_vertex > tree->mesh->vertex_count ||
+        vertex_count > tree->mesh->vertex_count - first_vertex || (!distances && vertex_count))
+        return SIL_INVALID_ARGUMENT;
+    sil_i_ask(tree, (const char *)(const void *)tree->frame.shape->position, 3 * sizeof(float),
+              tree->mesh->welded + first_vertex, vertex_count, distances, nearest);
+    return SIL_OK;
+}
+
+SIL_DEF sil_result sil_distances_at(const sil_edge_tree *tree, const float *points, size_t stride, size_t count,
+                                    float *distances, uint32_t *nearest) {
+    if (!tree || !tree->built || (count && (!points || !distances)) || (stride && stride < 3 * sizeof(float)))
+        return SIL_INVALID_ARGUMENT;
+    sil_i_ask(tree, (const char *)(const void *)points, stride ? stride : 3 * sizeof(float), NULL, count, distances,
+              nearest);
     return SIL_OK;
 }
 
@@ -2650,7 +3261,7 @@ SIL_DEF float sil_max_distance(const sil_mesh *mesh, const sil_pose *pose, const
         double p[3];
         if (!mesh->referenced[i] || frame.shape->bad[i])
             continue;
-        sil_i_to_frame(&frame, (uint32_t)i, p);
+        sil_i_to_frame(&frame, frame.shape->position + 3 * i, p);
         largest = sil_i_larger(largest, p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
     }
     return (float)(sqrt(largest) * frame.scale);

@@ -6,6 +6,7 @@
      objects never shine through each other, an opaque thing behind two transparent objects does not show, and
      transparency falls off toward the silhouettes of the transparent object
    - gives the same picture, bit for bit, in whatever order the objects are drawn; sorts nothing, reads nothing back
+     (opaque objects that share a plane are the exception: see LIMITS)
    - shades from cool to warm (Gooch et al. 1999) and draws silhouettes and creases in the right passes, for hosts that
      have no shaders of their own; works with the host's own shaders through one function call
    - leaves the GL state as found, or tells the host which state each pass wants
@@ -15,8 +16,8 @@
      else that fills plain arrays
    - show several layers, semantic groups, or units behind things: version 0.1 has the paper's two methods, implicit and
      explicit interiors, chosen for a whole frame
-   - draw into multisampled targets: create refuses nothing, tr_begin returns TR_TARGET_MULTISAMPLED. Render larger and
-     scale down instead, as examples/illustrate.c does
+   - draw into multisampled targets: tr_begin returns TR_TARGET_MULTISAMPLED. Render larger and scale down instead, as
+     examples/illustrate.c does
 
    QUICK START: a triangle's worth of it, given a current context and its getter of function pointers
 
@@ -66,7 +67,8 @@
    BUILD
    Define TRANSPARENCY_IMPLEMENTATION in one C (C99) or C++ (C++11) file before including this header; include it
    anywhere else without. Link nothing but your GL loader; tr_* functions call GL through the table that desc.get_proc
-   fills.
+   fills. On Windows wglGetProcAddress does not know the functions of GL 1.1: give a getter that asks opengl32.dll as
+   well, as those of GLFW and SDL do.
 
    OPTIONS, defined before the implementation unless said otherwise
    - TR_STATIC           every function static; define it wherever the header is included
@@ -91,21 +93,26 @@
    Not touched, and expected to be at rest: conditional rendering, transform feedback, clip control's origin, sample
    shading. Clip distances are switched off in each pass; a host whose shaders write them switches them on again after
    tr_next_pass. Under TR_STATE_NONE, tr_begin may still bind and restore when something is created or changed, and does
-   not look at the target: that it is complete and single-sampled is the host's to see to.
-   The alpha channel of the target is not written. Other attachments than the target's first are masked off (not on ES
-   before 3.2, where GL has no such mask: their content is undefined there).
+   not look at the target: that it is complete and single-sampled is the host's to see to. tr_state then lists what
+   differs from pass to pass; all else is to be as in a fresh context, dither off.
+   The alpha channel of the target is not written. Of a target with several draw buffers the first is drawn into, the
+   others are masked off; ES before 3.2 and WebGL 2 have no such mask: give them a framebuffer with one draw buffer.
+   With desc.max_gl_version below 4.0 on a newer context the blend functions of further draw buffers are not kept.
    glGetError is never called, so that no error of the host's is swallowed.
 
    ERRORS, MEMORY, THREADS
    Every function that can fail returns a tr_result and logs through desc.log_fn. A failed tr_begin leaves the state as
    found and nothing allocated that tr_destroy would not free; the next frame may be tried. One heap block a context.
    Textures are created when a plan first needs them or the size changes (never in a steady frame): 24 bytes a pixel with
-   everything on, see tr_plan.bytes. One context of ours for one GL context, used from the thread that has it current.
+   everything on, see tr_plan.bytes_per_pixel. One context of ours for one GL context, used from the thread that has it current.
 
    RECIPES
    - Your own shaders: prepend the strings of tr_glsl() to a vertex and a fragment shader (which then begins without
-     #version), call tr_surface(color, object) last in the fragment main, link, tr_prepare_program() once; make one
-     program for each tr_rule that you meet in pass.rule. The vertex shader must compute gl_Position alike in all.
+     #version; #extension lines go between the first string and the second), call tr_surface(color, object) last in the
+     fragment main, link, tr_prepare_program() once; make one program for each tr_rule that you meet in pass.rule. The
+     vertex shader must compute gl_Position alike in all. TR_WANTS_COLOR is 0 where shading may be skipped.
+   - Mirrored objects (a model matrix of negative determinant): their front faces are wound the other way round; call
+     glFrontFace with the opposite of pass.state.front_face before, and with it after drawing them.
    - Lines: fill a buffer with triangles in screen space (sil_ribbons of silhouette.h has the layout: four floats x, y,
      depth, slack as attribute 0, centre x, y as attribute 1), ask for them with wishes.lines, and draw them in passes
      whose pass.lines is not 0: the creases of an object or its outlines.
@@ -114,12 +121,17 @@
    - Existing depth: the picture is drawn into the target depth tested, so what the host drew before hides it.
 
    LIMITS AND PRECISION
-   - Depths are 32-bit floats; layers are told apart down to one unit in the last place. Where an opaque surface and the
-     front-most transparent one have exactly the same depth the opaque one is seen through the other.
-   - Coincident front faces count as one surface, that of the lowest object id; another object's coincident front face
-     limits what is seen through it as if it were behind. Ids are below 2^24 - 1.
-   - Colours pass through 8-bit textures once before the target's own rounding: 1/255 at the most.
-   - Image size: what GL_MAX_TEXTURE_SIZE allows. A viewport of no area draws nothing and is no error.
+   - Depths are 32-bit floats; transparent layers are told apart down to one unit in the last place. Opaque things are
+     depth tested against them by fixed function: where an opaque surface and the front-most transparent one have the
+     same depth the opaque one is seen through the other, if the driver's depth test and its gl_FragCoord.z agree.
+   - Where two opaque surfaces have the same depth, the one drawn first is seen, as with any depth test.
+   - Coincident front faces count as one surface, that of the lowest object id. With implicit interiors another object's
+     coincident front face limits what is seen through it as if it were behind; with explicit ones it does not.
+     Ids are below 2^24 - 1.
+   - Colours of opaque things and of the transparent surface pass through 8-bit textures, alpha too: into an 8-bit linear
+     target at most 1/255 is lost; more into sRGB or float targets (the dark end is coarse, what is brighter than 1 is
+     cut), and with TR_BLENDING_NORMALISED where alpha and w are both below 0.01.
+   - Image size: what GL_MAX_TEXTURE_SIZE and GL_MAX_VIEWPORT_DIMS allow. A viewport of no area draws nothing and is no error.
 */
 #ifndef TRANSPARENCY_H
 #define TRANSPARENCY_H
@@ -152,7 +164,7 @@ extern "C" {
     X(TR_TARGET_INCOMPLETE, "a framebuffer is not complete (no memory for its textures, or the target is not)")        \
     X(TR_TARGET_MULTISAMPLED, "the target is multisampled, which this version does not draw into")                     \
     X(TR_TOO_LARGE, "the viewport is larger than the context's textures can be")                                       \
-    X(TR_WRONG_ORDER, "tr_begin inside of a frame, or tr_end outside")
+    X(TR_WRONG_ORDER, "tr_begin or tr_release inside of a frame, or tr_end outside")
 
 typedef enum tr_result {
 #define TR_I_ENUM(name, text) name,
@@ -216,7 +228,7 @@ typedef enum tr_interior {
 typedef enum tr_blending {
     TR_BLENDING_OVER,       /* alpha C + (1 - alpha) D */
     TR_BLENDING_NORMALISED, /* (alpha C + w D) / (alpha + w); D where both are 0 */
-    TR_BLENDING_PUBLISHED   /* alpha C + w D, clamped */
+    TR_BLENDING_PUBLISHED   /* alpha C + w D, clamped by the target */
 } tr_blending;
 
 enum { TR_LINES_CREASES = 1, TR_LINES_OUTLINES = 2 }; /* outlines: silhouettes and boundaries */
@@ -228,7 +240,8 @@ typedef struct tr_wishes {
 } tr_wishes;
 
 typedef struct tr_frame {
-    uint32_t framebuffer; /* target; single-sampled; its first colour attachment is drawn, depth tested if it has any */
+    uint32_t
+        framebuffer; /* target; single-sampled; its first draw buffer is drawn into, depth tested if it has depth */
     int x, y, width, height; /* viewport within the target, pixels */
     tr_scene scene;
     tr_wishes wishes;
@@ -302,7 +315,7 @@ TR_DEF tr_scene tr_scene_count(const void *objects, size_t count, size_t stride)
 
 /* ---- the sequence ----------------------------------------------------------------------------------------------- */
 
-/* All state that a pass needs, as data; GL enumerants by their numbers. Under TR_STATE_NONE the host applies it:
+/* The state that differs from pass to pass, as data; GL enumerants by their numbers. Under TR_STATE_NONE the host applies it:
    framebuffer, viewport, clears (of the whole framebuffer, masks open), then the rest. */
 typedef struct tr_state {
     uint32_t framebuffer;
@@ -338,7 +351,8 @@ typedef struct tr_context tr_context;
 
 /* Needs a current context. Returns NULL and the reason (result may be NULL) on failure; nothing is left behind. */
 TR_DEF tr_context *tr_create(const tr_desc *desc, tr_result *result);
-TR_DEF void tr_destroy(tr_context *tr); /* the context current; NULL is fine */
+/* With the GL context current; NULL is fine. Inside of a frame it leaves GL state as the last pass set it. */
+TR_DEF void tr_destroy(tr_context *tr);
 
 TR_DEF tr_result tr_begin(tr_context *tr, const tr_frame *frame);
 /* 1: draw all objects for which tr_pass_draws says so; 0: no pass is left, call tr_end. */
@@ -373,10 +387,11 @@ typedef struct tr_info {
 } tr_info;
 TR_DEF tr_info tr_get_info(const tr_context *tr);
 /* Gives the textures back, e.g. when illustrations pause; the next frame makes them anew. */
-TR_DEF void tr_release(tr_context *tr);
+TR_DEF tr_result tr_release(tr_context *tr);
 
 TR_DEF const char *tr_result_string(tr_result result);
-/* Equation 2 as the shaders compute it: 1 - (d / d_max)^k in [0,1]; 1 where d or d_max is not > 0 (NaN included). */
+/* Equation 2 as the shaders compute it: 1 - (d / d_max)^k in [0,1]; 1 where d or d_max is not > 0 (NaN included); 0
+   elsewhere where k is not > 0. */
 TR_DEF float tr_view_alpha(float d, float d_max, float k);
 
 #ifdef __cplusplus
@@ -419,17 +434,24 @@ static const char *const tr_i_shader_alpha_law_glsl[] = {
     "// View-dependent alpha, Diepstraten 2002, equation 2: alpha = 1 - (d / d_max)^k, clamped to [0, 1].\n"
     "//\n"
     "// d: distance to the nearest silhouette, d_max: farthest surface point from the object's centre, both in one unit.\n"
-    "// alpha = 1 at d = 0 for every k >= 0, wherever d_max <= 0, and for NaN; alpha = 0 from d = d_max on.\n"
-    "// k = 0 leaves the silhouette alone opaque; negative k counts as 0.\n"
+    "// alpha = 1 at d = 0 for every k >= 0, wherever d_max <= 0, and where either is NaN; alpha = 0 from d = d_max on.\n"
+    "// k = 0, and what is no positive number, leaves the silhouette alone opaque.\n"
+    "\n"
+    "// x > 0, infinity included, by its bits: compilers may read !(x > 0.0) as x <= 0.0, and NaN is neither.\n"
+    "bool tr_positive(highp float x)\n"
+    "{\n"
+    "    return floatBitsToUint(x) - 1u < 0x7f800000u;\n"
+    "}\n"
+    "\n"
     "float tr_view_alpha(highp float d, highp float d_max, highp float k)\n"
     "{\n"
-    "    if (!(d > 0.0) || !(d_max > 0.0))\n"
+    "    if (!tr_positive(d) || !tr_positive(d_max))\n"
     "        return 1.0;\n"
-    "    if (!(d < d_max))\n"
+    "    if (d >= d_max || !tr_positive(k))\n"
     "        return 0.0;\n"
     "    // The floor keeps log2 finite where a driver flushes denormals to zero.\n"
     "    highp float ratio = max(d / d_max, 1.0e-30);\n"
-    "    return clamp(1.0 - exp2(max(k, 0.0) * log2(ratio)), 0.0, 1.0);\n"
+    "    return clamp(1.0 - exp2(k * log2(ratio)), 0.0, 1.0);\n"
     "}\n",
     0};
 static const char *const tr_i_shader_compose_frag[] = {
@@ -446,11 +468,11 @@ static const char *const tr_i_shader_compose_frag[] = {
     "\n"
     "uniform highp sampler2D tr_scene_depth;\n"
     "#if TR_HAS_OPAQUE\n"
-    "uniform lowp sampler2D tr_opaque_color; // a = 1 where an opaque thing is\n"
+    "uniform highp sampler2D tr_opaque_color; // a = 1 where an opaque thing is\n"
     "#endif\n"
     "#if TR_HAS_LAYER\n"
     "uniform highp sampler2D tr_front_depth;\n"
-    "uniform lowp sampler2D tr_layer_color;\n"
+    "uniform highp sampler2D tr_layer_color;\n"
     "#endif\n"
     "layout(location = 0) out highp vec4 tr_color;\n"
     "\n"
@@ -480,7 +502,8 @@ static const char *const tr_i_shader_compose_frag[] = {
     "        front.a = total > 0.0 ? front.a / total : 0.0;\n"
     "        weight = 1.0 - front.a;\n"
     "#endif\n"
-    "        tr_color = vec4(front.a * front.rgb + weight * color, weight * keep);\n"
+    "        // The published sum may be above one; where the target adds its own part, its format clamps.\n"
+    "        tr_color = vec4(min(front.a * front.rgb + weight * color, 1.0), weight * keep);\n"
     "        return;\n"
     "    }\n"
     "#endif\n"
@@ -641,7 +664,7 @@ static const char *const tr_i_shader_surface_vert[] = {
     "layout(location = 0) in highp vec3 tr_position;\n"
     "layout(location = 1) in highp vec3 tr_normal;\n"
     "layout(location = 2) in highp float tr_distance; // to the nearest silhouette, see alpha_law.glsl\n"
-    "layout(location = 3) in highp vec3 tr_tint;      // added to the object's colour; an unset attribute reads as 0\n"
+    "layout(location = 3) in highp vec3 tr_tint;      // added to the object's colour; by default 0\n"
     "\n"
     "uniform highp mat4 tr_model_view_projection;\n"
     "#if TR_WANTS_COLOR\n"
@@ -668,8 +691,9 @@ static const char *const tr_i_shader_surface_rules_glsl[] = {
     "// Fragment stage. What a surface fragment does in each pass of a sequence: Diepstraten 2002, section 6, as amended.\n"
     "//\n"
     "// A host's fragment shader calls tr_surface(color, object) once, last, in main. TR_RULE is defined by the preamble.\n"
-    "// Depths are written and compared as the shader sees them (gl_FragCoord.z, stored unrounded in 32-bit float depth), so\n"
-    "// that equality means \"the same fragment\" and no epsilon is needed.\n"
+    "// Depths of transparent things are written and compared as the shader sees them (gl_FragCoord.z, stored unrounded in\n"
+    "// 32-bit float depth), so that equality means \"the same fragment\" and no epsilon is needed. Opaque things write no\n"
+    "// depth here: they keep the early depth test.\n"
     "\n"
     "#define TR_RULE_FRONT 0         // nearest front face: depth only\n"
     "#define TR_RULE_OWNER 1         // whose it is: the lowest object id among those that tie\n"
@@ -815,6 +839,8 @@ static const char *const tr_i_shader_surface_vertex_glsl[] = {
 #define TR_I_GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS 0x8B4Du
 #define TR_I_GL_MAX_DRAW_BUFFERS 0x8824u
 #define TR_I_GL_MAX_TEXTURE_SIZE 0x0D33u
+#define TR_I_GL_MAX_VIEWPORT_DIMS 0x0D3Au
+#define TR_I_GL_MAX_VIEWPORTS 0x825Bu
 #define TR_I_GL_MAX_UNIFORM_BUFFER_BINDINGS 0x8A2Fu
 #define TR_I_GL_NEAREST 0x2600
 #define TR_I_GL_CLAMP_TO_EDGE 0x812F
@@ -934,6 +960,7 @@ typedef const char *const *tr_i_strings;
 /* Desktop GL 3.3. */
 #define TR_I_GL_DESKTOP(X)                                                                                             \
     X(void, DepthRange, (double, double))                                                                              \
+    X(void, GetDoublev, (tr_i_u, double *))                                                                            \
     X(void, PolygonMode, (tr_i_u, tr_i_u))
 
 /* Desktop GL 3.3 and ES 3.2: masks and switches by draw buffer. */
@@ -949,6 +976,13 @@ typedef const char *const *tr_i_strings;
     X(void, BlendEquationSeparatei, (tr_i_u, tr_i_u, tr_i_u))                                                          \
     X(void, BlendFuncSeparatei, (tr_i_u, tr_i_u, tr_i_u, tr_i_u, tr_i_u))
 
+/* Desktop GL 4.1: viewports, scissors and depth ranges by index; the plain functions set all sixteen. */
+#define TR_I_GL_VIEWPORTS(X)                                                                                           \
+    X(void, DepthRangeIndexed, (tr_i_u, double, double))                                                               \
+    X(void, GetDoublei_v, (tr_i_u, tr_i_u, double *))                                                                  \
+    X(void, GetFloati_v, (tr_i_u, tr_i_u, float *))                                                                    \
+    X(void, ViewportIndexedf, (tr_i_u, float, float, float, float))
+
 #define TR_I_GL_ES(X) X(void, DepthRangef, (float, float))
 
 typedef struct tr_i_gl {
@@ -957,6 +991,7 @@ typedef struct tr_i_gl {
     TR_I_GL_DESKTOP(TR_I_MEMBER)
     TR_I_GL_INDEXED(TR_I_MEMBER)
     TR_I_GL_INDEXED_BLEND(TR_I_MEMBER)
+    TR_I_GL_VIEWPORTS(TR_I_MEMBER)
     TR_I_GL_ES(TR_I_MEMBER)
 #undef TR_I_MEMBER
 } tr_i_gl;
@@ -1001,15 +1036,18 @@ typedef struct tr_i_block {
 
 #define TR_I_MAX_DRAW_BUFFERS 8
 #define TR_I_MAX_CLIP_DISTANCES 8
+#define TR_I_MAX_VIEWPORTS 16
 #define TR_I_CAP_COUNT 14
 
 /* State that a frame changes: exactly what TR_STATE_RESTORE puts back. */
 typedef struct tr_i_snapshot {
-    int32_t program, vertex_array, draw_framebuffer, read_framebuffer, viewport[4];
+    int32_t program, vertex_array, draw_framebuffer, read_framebuffer;
     unsigned char caps[TR_I_CAP_COUNT], clip_distances[TR_I_MAX_CLIP_DISTANCES];
+    unsigned char scissors[TR_I_MAX_VIEWPORTS];
     unsigned char depth_mask, color_masks[TR_I_MAX_DRAW_BUFFERS][4], blend;
     int32_t depth_func, cull_mode, front_face, polygon_mode[2];
-    float depth_range[2];
+    float viewport[4];
+    double depth_range[2];
     int32_t blend_func[4], blend_equation[2];
     int32_t active_texture, textures[TR_I_UNIT_COUNT], samplers[TR_I_UNIT_COUNT];
     int32_t uniform_buffer, indexed_buffer, copy_buffer, unpack_buffer;
@@ -1021,9 +1059,9 @@ typedef struct tr_i_snapshot {
 struct tr_context {
     tr_desc desc;
     tr_i_gl gl;
-    int es, version, has_indexed, has_indexed_blend, draw_buffers, clip_distances;
-    int32_t max_texture_size;
-    const char *strings[TR_STAGE_COUNT][TR_RULE_COUNT][TR_I_MAX_STRINGS];
+    int es, version, has_indexed, has_indexed_blend, has_viewports, viewports, draw_buffers, clip_distances;
+    int32_t max_width, max_height; /* of a viewport */
+    const char *strings[TR_STAGE_COUNT][TR_RULE_COUNT][TR_I_MAX_STRINGS + 1];
     int string_count[TR_STAGE_COUNT][TR_RULE_COUNT];
     tr_i_program programs[TR_I_PROGRAM_COUNT];
     tr_i_u textures[TR_I_TEXTURE_COUNT], fbos[TR_I_FBO_COUNT];
@@ -1298,17 +1336,25 @@ TR_I_API size_t tr_plan_print(const tr_plan *plan, char *string, size_t capacity
     return text.length;
 }
 
+/* x > 0, infinity included; by its bits, so that NaN is not whatever the compiler's options make of it. */
+static int tr_i_positive(float x) {
+    uint32_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    return bits - 1u < 0x7f800000u;
+}
+
 TR_I_API float tr_view_alpha(float d, float d_max, float k) {
-    float ratio, alpha;
-    if (!(d > 0.0f) || !(d_max > 0.0f))
+    double ratio, alpha;
+    if (!tr_i_positive(d) || !tr_i_positive(d_max))
         return 1.0f;
-    if (!(d < d_max))
+    if (d >= d_max || !tr_i_positive(k))
         return 0.0f;
-    ratio = d / d_max;
-    if (ratio < 1.0e-30f)
-        ratio = 1.0e-30f;
-    alpha = 1.0f - (float)pow((double)ratio, (double)(k > 0.0f ? k : 0.0f));
-    return alpha < 0.0f ? 0.0f : alpha > 1.0f ? 1.0f : alpha;
+    /* The quotient in double: two floats neither overflow nor vanish there. */
+    ratio = (double)d / (double)d_max;
+    if (ratio < 1.0e-30) /* as in the shader */
+        ratio = 1.0e-30;
+    alpha = 1.0 - pow(ratio, (double)k);
+    return alpha < 0.0 ? 0.0f : alpha > 1.0 ? 1.0f : (float)alpha;
 }
 
 /* ---- state: saved, set, restored -------------------------------------------------------------------------------- */
@@ -1348,6 +1394,47 @@ static void tr_i_switch(const tr_context *tr, tr_i_u cap, int on) {
         tr->gl.Enable(cap);
     else
         tr->gl.Disable(cap);
+}
+
+static void tr_i_set_viewport(const tr_context *tr, float x, float y, float width, float height) {
+    if (tr->has_viewports)
+        tr->gl.ViewportIndexedf(0, x, y, width, height);
+    else
+        tr->gl.Viewport((int32_t)x, (int32_t)y, (int32_t)width, (int32_t)height);
+}
+
+static void tr_i_set_depth_range(const tr_context *tr, double first, double last) {
+    if (tr->has_viewports)
+        tr->gl.DepthRangeIndexed(0, first, last);
+    else if (tr->es)
+        tr->gl.DepthRangef((float)first, (float)last);
+    else
+        tr->gl.DepthRange(first, last);
+}
+
+static void tr_i_save_viewport(const tr_context *tr, tr_i_snapshot *saved) {
+    const tr_i_gl *gl = &tr->gl;
+    int32_t viewport[4];
+    float range[2];
+    int i;
+    if (tr->has_viewports) {
+        gl->GetFloati_v(TR_I_GL_VIEWPORT, 0, saved->viewport);
+        gl->GetDoublei_v(TR_I_GL_DEPTH_RANGE, 0, saved->depth_range);
+        /* Switched off for all viewports: Mesa 22 lets the scissor of another one cut what is drawn into the first. */
+        for (i = 0; i < tr->viewports; ++i)
+            saved->scissors[i] = gl->IsEnabledi(TR_I_GL_SCISSOR_TEST, (tr_i_u)i);
+        return;
+    }
+    gl->GetIntegerv(TR_I_GL_VIEWPORT, viewport);
+    for (i = 0; i < 4; ++i)
+        saved->viewport[i] = (float)viewport[i];
+    if (!tr->es) {
+        gl->GetDoublev(TR_I_GL_DEPTH_RANGE, saved->depth_range);
+        return;
+    }
+    gl->GetFloatv(TR_I_GL_DEPTH_RANGE, range);
+    saved->depth_range[0] = (double)range[0];
+    saved->depth_range[1] = (double)range[1];
 }
 
 static void tr_i_save_blend(const tr_context *tr, tr_i_snapshot *saved) {
@@ -1404,25 +1491,26 @@ static void tr_i_save(const tr_context *tr, tr_i_snapshot *saved) {
             saved->caps[i] = gl->IsEnabled(tr_i_caps[i].name);
     for (i = 0; i < tr->clip_distances; ++i)
         saved->clip_distances[i] = gl->IsEnabled(TR_I_GL_CLIP_DISTANCE0 + (tr_i_u)i);
-    gl->GetIntegerv(TR_I_GL_VIEWPORT, saved->viewport);
+    tr_i_save_viewport(tr, saved);
     gl->GetBooleanv(TR_I_GL_DEPTH_WRITEMASK, &saved->depth_mask);
     gl->GetIntegerv(TR_I_GL_DEPTH_FUNC, &saved->depth_func);
-    gl->GetFloatv(TR_I_GL_DEPTH_RANGE, saved->depth_range);
     gl->GetIntegerv(TR_I_GL_CULL_FACE_MODE, &saved->cull_mode);
     gl->GetIntegerv(TR_I_GL_FRONT_FACE, &saved->front_face);
     if (!tr->es)
         gl->GetIntegerv(TR_I_GL_POLYGON_MODE, saved->polygon_mode);
 }
 
-/* What a fresh context would have saved, for TR_STATE_LEAVE_DEFAULTS. */
-static void tr_i_save_defaults(const tr_context *tr, tr_i_snapshot *saved) {
+/* What a fresh context would have saved, for TR_STATE_LEAVE_DEFAULTS; the viewport stays what it was. */
+static void tr_i_save_defaults(tr_i_snapshot *saved) {
+    float viewport[4];
+    memcpy(viewport, saved->viewport, sizeof viewport);
     memset(saved, 0, sizeof *saved);
     memset(saved->color_masks, 1, sizeof saved->color_masks);
-    memcpy(saved->viewport, tr->saved.viewport, sizeof saved->viewport);
+    memcpy(saved->viewport, viewport, sizeof viewport);
     saved->caps[2] = 1; /* dither */
     saved->depth_mask = 1;
     saved->depth_func = (int32_t)TR_I_GL_LESS;
-    saved->depth_range[1] = 1.0f;
+    saved->depth_range[1] = 1.0;
     saved->cull_mode = (int32_t)TR_I_GL_BACK;
     saved->front_face = (int32_t)TR_I_GL_CCW;
     saved->polygon_mode[0] = (int32_t)TR_I_GL_FILL;
@@ -1446,13 +1534,6 @@ static void tr_i_set_blend(const tr_context *tr, int on, tr_i_u source, tr_i_u d
         tr->gl.BlendFuncSeparate(source, destination, source_alpha, destination_alpha);
         tr->gl.BlendEquationSeparate(equation, equation_alpha);
     }
-}
-
-static void tr_i_set_depth_range(const tr_context *tr, float first, float last) {
-    if (tr->es)
-        tr->gl.DepthRangef(first, last);
-    else
-        tr->gl.DepthRange((double)first, (double)last);
 }
 
 static void tr_i_restore_bindings(const tr_context *tr, const tr_i_snapshot *saved) {
@@ -1491,7 +1572,13 @@ static void tr_i_restore(const tr_context *tr, const tr_i_snapshot *saved) {
             tr_i_switch(tr, tr_i_caps[i].name, saved->caps[i]);
     for (i = 0; i < tr->clip_distances; ++i)
         tr_i_switch(tr, TR_I_GL_CLIP_DISTANCE0 + (tr_i_u)i, saved->clip_distances[i]);
-    gl->Viewport(saved->viewport[0], saved->viewport[1], saved->viewport[2], saved->viewport[3]);
+    for (i = 0; i < tr->viewports; ++i) {
+        if (saved->scissors[i])
+            gl->Enablei(TR_I_GL_SCISSOR_TEST, (tr_i_u)i);
+        else
+            gl->Disablei(TR_I_GL_SCISSOR_TEST, (tr_i_u)i);
+    }
+    tr_i_set_viewport(tr, saved->viewport[0], saved->viewport[1], saved->viewport[2], saved->viewport[3]);
     gl->DepthMask(saved->depth_mask);
     gl->DepthFunc((tr_i_u)saved->depth_func);
     tr_i_set_depth_range(tr, saved->depth_range[0], saved->depth_range[1]);
@@ -1539,12 +1626,13 @@ static void tr_i_apply(const tr_context *tr, const tr_state *state) {
     int i;
     for (i = 0; i < TR_I_CAPS_OFF; ++i)
         if (tr_i_has_cap(tr, i))
-            gl->Disable(tr_i_caps[i].name);
+            tr->gl.Disable(tr_i_caps[i].name);
     for (i = 0; i < tr->clip_distances; ++i)
         gl->Disable(TR_I_GL_CLIP_DISTANCE0 + (tr_i_u)i);
     gl->BindFramebuffer(TR_I_GL_DRAW_FRAMEBUFFER, state->framebuffer);
-    gl->Viewport(state->viewport[0], state->viewport[1], state->viewport[2], state->viewport[3]);
-    tr_i_set_depth_range(tr, 0.0f, 1.0f);
+    tr_i_set_viewport(tr, (float)state->viewport[0], (float)state->viewport[1], (float)state->viewport[2],
+                      (float)state->viewport[3]);
+    tr_i_set_depth_range(tr, 0.0, 1.0);
     tr_i_mask_colors(tr, state->color_write || state->clear_color);
     gl->DepthMask((unsigned char)(state->depth_write || state->clear_depth));
     if (state->clear_color)
@@ -1584,7 +1672,10 @@ static void tr_i_add_chunks(tr_i_source *source, tr_i_strings chunks) {
 }
 
 static void tr_i_add_preamble(tr_i_source *source, int es, int reversed_z) {
-    tr_i_add(source, es ? "#version 300 es\nprecision highp float;\nprecision highp int;\n" : "#version 330 core\n");
+    /* A string of its own: what must follow the version at once, #extension lines, goes between this and the next. */
+    tr_i_add(source, es ? "#version 300 es\n" : "#version 330 core\n");
+    if (es)
+        tr_i_add(source, "precision highp float;\nprecision highp int;\n");
     tr_i_add(source,
              reversed_z ? "#define TR_REVERSED_Z 1\n#define TR_CLEAR_DEPTH 0.0\n" : "#define TR_CLEAR_DEPTH 1.0\n");
 }
@@ -1736,9 +1827,12 @@ TR_I_API const char *const *tr_glsl(const tr_context *tr, tr_stage stage, tr_rul
 }
 
 TR_I_API tr_result tr_prepare_program(tr_context *tr, uint32_t program) {
-    int32_t current = 0;
+    int32_t current = 0, linked = 0;
     if (!tr || !tr->gl.IsProgram(program))
         return TR_INVALID_ARGUMENT;
+    tr->gl.GetProgramiv(program, TR_I_GL_LINK_STATUS, &linked);
+    if (!linked)
+        return tr_i_fail(&tr->desc, TR_INVALID_ARGUMENT, "tr_prepare_program: the program is not linked");
     tr->gl.GetIntegerv(TR_I_GL_CURRENT_PROGRAM, &current);
     tr_i_wire_program(tr, program);
     if (current == 0 || tr->gl.IsProgram((tr_i_u)current))
@@ -1765,7 +1859,11 @@ static void tr_i_load_static(tr_i_gl *gl) {
     TR_I_GL_REQUIRED(TR_I_TAKE)
 #if defined(GL_VERSION_3_0)
     TR_I_GL_DESKTOP(TR_I_TAKE)
-#else
+#endif
+#if defined(GL_VERSION_4_1)
+    TR_I_GL_VIEWPORTS(TR_I_TAKE)
+#endif
+#if defined(GL_VERSION_4_1) || defined(GL_ES_VERSION_2_0)
     TR_I_GL_ES(TR_I_TAKE)
 #endif
 #if defined(GL_VERSION_3_0) || defined(GL_ES_VERSION_3_2)
@@ -1790,6 +1888,7 @@ static tr_result tr_i_load(tr_context *tr) {
     TR_I_GL_DESKTOP(TR_I_TAKE)
     TR_I_GL_INDEXED(TR_I_TAKE)
     TR_I_GL_INDEXED_BLEND(TR_I_TAKE)
+    TR_I_GL_VIEWPORTS(TR_I_TAKE)
     TR_I_GL_ES(TR_I_TAKE)
 #undef TR_I_TAKE
 #endif
@@ -1815,7 +1914,7 @@ static int tr_i_parse_version(const char *string, int *es) {
 static tr_result tr_i_detect(tr_context *tr) {
     const char *string = (const char *)tr->gl.GetString(TR_I_GL_VERSION);
     const char *missing = 0;
-    int32_t limit = 0;
+    int32_t limit = 0, viewport[2] = {0, 0};
     tr->version = tr_i_parse_version(string, &tr->es);
     if (tr->desc.max_gl_version && tr->version > tr->desc.max_gl_version)
         tr->version = tr->desc.max_gl_version;
@@ -1832,15 +1931,26 @@ static tr_result tr_i_detect(tr_context *tr) {
     }
     tr->has_indexed_blend = tr->version >= (tr->es ? 320 : 400) && tr->gl.BlendFuncSeparatei &&
                             tr->gl.BlendEquationSeparatei && tr->has_indexed;
+    tr->has_viewports = !tr->es && tr->version >= 410 && tr->gl.ViewportIndexedf && tr->gl.DepthRangeIndexed &&
+                        tr->gl.GetFloati_v && tr->gl.GetDoublei_v && tr->has_indexed;
+    if (tr->has_viewports) {
+        tr->gl.GetIntegerv(TR_I_GL_MAX_VIEWPORTS, &limit);
+        tr->viewports = limit > TR_I_MAX_VIEWPORTS ? TR_I_MAX_VIEWPORTS : limit;
+    }
     if (tr->es && !tr->gl.DepthRangef)
         missing = "glDepthRangef";
     else if (!tr->es && !tr->gl.DepthRange)
         missing = "glDepthRange";
+    else if (!tr->es && !tr->gl.GetDoublev)
+        missing = "glGetDoublev";
     else if (!tr->es && !tr->gl.PolygonMode)
         missing = "glPolygonMode";
     if (missing)
         return tr_i_fail(&tr->desc, TR_GL_FUNCTION_MISSING, missing);
-    tr->gl.GetIntegerv(TR_I_GL_MAX_TEXTURE_SIZE, &tr->max_texture_size);
+    tr->gl.GetIntegerv(TR_I_GL_MAX_TEXTURE_SIZE, &tr->max_width);
+    tr->gl.GetIntegerv(TR_I_GL_MAX_VIEWPORT_DIMS, viewport);
+    tr->max_height = viewport[1] < tr->max_width ? viewport[1] : tr->max_width;
+    tr->max_width = viewport[0] < tr->max_width ? viewport[0] : tr->max_width;
     tr->gl.GetIntegerv(TR_I_GL_MAX_DRAW_BUFFERS, &limit);
     tr->draw_buffers = !tr->has_indexed || limit < 1   ? 1
                        : limit > TR_I_MAX_DRAW_BUFFERS ? TR_I_MAX_DRAW_BUFFERS
@@ -1874,7 +1984,9 @@ static void tr_i_assemble_host_sources(tr_context *tr) {
         for (rule = 0; rule < (int)TR_RULE_COUNT; ++rule) {
             tr_i_host_source(&source, (tr_stage)stage, rule, tr->es, tr->desc.reversed_z);
             memcpy(tr->strings[stage][rule], source.strings, (size_t)source.count * sizeof source.strings[0]);
-            tr->string_count[stage][rule] = source.count;
+            /* The host's own text counts its lines from 1. */
+            tr->strings[stage][rule][source.count] = "#line 1\n";
+            tr->string_count[stage][rule] = source.count + 1;
         }
     }
 }
@@ -1918,9 +2030,7 @@ TR_I_API tr_context *tr_create(const tr_desc *desc, tr_result *result) {
     return tr;
 }
 
-TR_I_API void tr_release(tr_context *tr) {
-    if (!tr)
-        return;
+static void tr_i_drop_textures(tr_context *tr) {
     tr->gl.DeleteFramebuffers(TR_I_FBO_COUNT, tr->fbos);
     tr->gl.DeleteTextures(TR_I_TEXTURE_COUNT, tr->textures);
     memset(tr->fbos, 0, sizeof tr->fbos);
@@ -1928,11 +2038,20 @@ TR_I_API void tr_release(tr_context *tr) {
     tr->width = tr->height = 0;
 }
 
+TR_I_API tr_result tr_release(tr_context *tr) {
+    if (!tr)
+        return TR_INVALID_ARGUMENT;
+    if (tr->in_frame)
+        return tr_i_fail(&tr->desc, TR_WRONG_ORDER, "tr_release");
+    tr_i_drop_textures(tr);
+    return TR_OK;
+}
+
 TR_I_API void tr_destroy(tr_context *tr) {
     int i;
     if (!tr)
         return;
-    tr_release(tr);
+    tr_i_drop_textures(tr);
     for (i = 0; i < TR_I_PROGRAM_COUNT; ++i)
         if (tr->programs[i].name)
             tr->gl.DeleteProgram(tr->programs[i].name);
@@ -2004,7 +2123,7 @@ static int tr_i_make_fbo(tr_context *tr, int index) {
 static tr_result tr_i_make_textures(tr_context *tr, uint32_t wanted, int width, int height) {
     int i;
     if (tr->width != width || tr->height != height)
-        tr_release(tr);
+        tr_i_drop_textures(tr);
     tr->width = width;
     tr->height = height;
     tr->gl.ActiveTexture(TR_I_GL_TEXTURE0 + (tr_i_u)tr->desc.first_texture_unit);
@@ -2017,7 +2136,7 @@ static tr_result tr_i_make_textures(tr_context *tr, uint32_t wanted, int width, 
         if (tr->fbos[i] || !tr->textures[depth] || (color >= 0 && !tr->textures[color]))
             continue;
         if (!tr_i_make_fbo(tr, i)) {
-            tr_release(tr);
+            tr_i_drop_textures(tr);
             return tr_i_fail(&tr->desc, TR_TARGET_INCOMPLETE, "one of the header's own");
         }
     }
@@ -2134,25 +2253,38 @@ static tr_result tr_i_work(tr_context *tr, const tr_i_block *block) {
 }
 
 static tr_result tr_i_check_target(tr_context *tr) {
-    int32_t samples = 0;
+    int32_t bound = 0, samples = 0;
     tr->gl.BindFramebuffer(TR_I_GL_DRAW_FRAMEBUFFER, tr->frame.framebuffer);
-    if (tr->gl.CheckFramebufferStatus(TR_I_GL_DRAW_FRAMEBUFFER) != TR_I_GL_FRAMEBUFFER_COMPLETE)
+    /* A name that is none is not bound, and what was bound before would pass for it. */
+    tr->gl.GetIntegerv(TR_I_GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+    if ((tr_i_u)bound != tr->frame.framebuffer ||
+        tr->gl.CheckFramebufferStatus(TR_I_GL_DRAW_FRAMEBUFFER) != TR_I_GL_FRAMEBUFFER_COMPLETE)
         return tr_i_fail(&tr->desc, TR_TARGET_INCOMPLETE, "frame.framebuffer");
     tr->gl.GetIntegerv(TR_I_GL_SAMPLES, &samples);
     return samples > 0 ? tr_i_fail(&tr->desc, TR_TARGET_MULTISAMPLED, "frame.framebuffer") : TR_OK;
 }
 
-static tr_result tr_i_check_frame(const tr_context *tr, const tr_frame *frame) {
-    float sum = frame->opaque_weight + frame->background_weight + frame->line_tolerance;
+/* By its bits: comparisons with NaN are what -ffast-math takes away. */
+static int tr_i_all_finite(const float *numbers, int count) {
     int i;
-    for (i = 0; i < 4; ++i)
-        sum += frame->cool[i] + frame->warm[i] +
-               (i < 3 ? frame->light[i] + frame->crease_color[i] + frame->outline_color[i] : 0);
-    if (!(sum - sum == 0.0f))
+    for (i = 0; i < count; ++i) {
+        uint32_t bits;
+        memcpy(&bits, &numbers[i], sizeof bits);
+        if ((bits & 0x7f800000u) == 0x7f800000u)
+            return 0;
+    }
+    return 1;
+}
+
+static tr_result tr_i_check_frame(const tr_context *tr, const tr_frame *frame) {
+    if (!tr_i_all_finite(&frame->opaque_weight, 1) || !tr_i_all_finite(&frame->background_weight, 1) ||
+        !tr_i_all_finite(&frame->line_tolerance, 1) || !tr_i_all_finite(frame->light, 3) ||
+        !tr_i_all_finite(frame->cool, 4) || !tr_i_all_finite(frame->warm, 4) ||
+        !tr_i_all_finite(frame->crease_color, 3) || !tr_i_all_finite(frame->outline_color, 3))
         return tr_i_fail(&tr->desc, TR_INVALID_ARGUMENT, "a number of the frame is not finite");
     if (frame->width < 0 || frame->height < 0)
         return tr_i_fail(&tr->desc, TR_INVALID_ARGUMENT, "frame.width or frame.height is negative");
-    if (frame->width > tr->max_texture_size || frame->height > tr->max_texture_size)
+    if (frame->width > tr->max_width || frame->height > tr->max_height)
         return tr_i_fail(&tr->desc, TR_TOO_LARGE, "frame.width or frame.height");
     return TR_OK;
 }
@@ -2296,8 +2428,12 @@ static void tr_i_fill_tests(const tr_context *tr, const tr_plan_pass *pass, tr_s
         state->blend_source_alpha = TR_I_GL_ZERO;
         state->blend_destination_alpha = TR_I_GL_ONE;
         break;
+    case TR_PASS_TRANSPARENT_LINES: /* ink, opaque; the blend function leaves the target's alpha alone */
+        state->blend = 1;
+        state->blend_source_alpha = TR_I_GL_ZERO;
+        state->blend_destination_alpha = TR_I_GL_ONE;
+        /* fall through */
     case TR_PASS_OPAQUE_LINES:
-    case TR_PASS_TRANSPARENT_LINES:
         state->color_write = 1;
         state->depth_func = not_farther;
         /* Creases leave no depth: they lie within their surface, and outlines are to go over them. */
@@ -2351,7 +2487,7 @@ TR_I_API int tr_pass_draws(const tr_pass *pass, const tr_object *object) {
 TR_I_API void tr_set_material(tr_context *tr, const tr_pass *pass, const tr_material *material) {
     const tr_i_program *program;
     const tr_i_gl *gl;
-    if (!tr || !pass || !material || (unsigned)pass->rule >= (unsigned)TR_RULE_COUNT)
+    if (!tr || !pass || !material || (unsigned)pass->rule >= (unsigned)TR_RULE_COUNT || pass->lines)
         return;
     gl = &tr->gl;
     program = &tr->programs[TR_I_PROGRAM_SURFACE + (int)pass->rule];
@@ -2377,7 +2513,7 @@ TR_I_API tr_result tr_end(tr_context *tr) {
     if (tr->desc.state == TR_STATE_RESTORE) {
         tr_i_restore(tr, &tr->saved);
     } else if (tr->desc.state == TR_STATE_LEAVE_DEFAULTS) {
-        tr_i_save_defaults(tr, &tr->saved);
+        tr_i_save_defaults(&tr->saved);
         tr_i_restore(tr, &tr->saved);
     }
     return TR_OK;

@@ -2,7 +2,8 @@
 
    Time to find the silhouettes of one view, median over many views, and of what comes after. Subjects:
      published  the papers' way: for each edge the product of its faces' signs, float normals, scalar code
-     brute      silhouette.h with a pose: exact signs of all faces, then all edges
+     brute      silhouette.h with a pose, made with SIL_MESH_NO_HIERARCHY: exact signs of all faces, then all edges
+     hierarchy  the same by the hierarchy, which gives way to the flat scan by itself; bytes are those it adds
    error_max is the largest number of edges in any view that differ from those by exact signs asked for one at a time.
    BENCH=quick takes fewer views. The file is build/bench/silhouette.csv unless given; its folder must exist. */
 #define _POSIX_C_SOURCE 200809L
@@ -76,6 +77,27 @@ static model make_torus(size_t rings, size_t sides) {
             p[2] = (float)(0.4 * sin(v));
             add_quad(&m, (uint32_t)(i * sides + j), (uint32_t)(right + j), (uint32_t)(right + up),
                      (uint32_t)(i * sides + up));
+        }
+    return m;
+}
+
+/* A sphere with gentle bumps, smooth at the size of a face; `bumps` of 0.3 makes a rough one, with many silhouettes. */
+static model make_blob(const char *name, size_t rings, size_t sides, double bumps) {
+    model m = model_new(name, rings * sides, 2 * (rings - 1) * sides);
+    size_t i, j;
+    for (i = 0; i < rings; ++i)
+        for (j = 0; j < sides; ++j) {
+            const double u = SIL_I_PI * ((double)i + 0.5) / (double)rings;
+            const double v = 2 * SIL_I_PI * (double)j / (double)sides;
+            const double wave = bumps > 0.2 ? 31 : 5, r = 1 + bumps * sin(wave * u) * cos(wave * v);
+            float *p = m.positions + 3 * (i * sides + j);
+            const size_t next = (j + 1) % sides, low = i * sides, high = low + sides;
+            p[0] = (float)(r * sin(u) * cos(v));
+            p[1] = (float)(r * sin(u) * sin(v));
+            p[2] = (float)(r * cos(u));
+            if (i + 1 < rings)
+                add_quad(&m, (uint32_t)(low + j), (uint32_t)(high + j), (uint32_t)(high + next),
+                         (uint32_t)(low + next));
         }
     return m;
 }
@@ -188,36 +210,48 @@ static void report(FILE *csv, const char *scene, size_t size, const char *subjec
             (unsigned long)errors);
 }
 
-static void run_views(FILE *csv, const char *scene, const published *p, const sil_mesh *mesh, sil_pose *pose, int axes,
+/* poses: of the mesh without and of that with a hierarchy. */
+static void run_views(FILE *csv, const char *scene, const published *p, sil_pose *const poses[2], int axes,
                       size_t views) {
+    const sil_mesh *mesh = poses[0]->mesh, *other = poses[1]->mesh;
     uint32_t *found = (uint32_t *)need(mesh->edge_count * sizeof(uint32_t));
     sil_edge *edges = (sil_edge *)need(mesh->edge_count * sizeof(sil_edge));
     sil_edge *truth = (sil_edge *)need(mesh->edge_count * sizeof(sil_edge));
-    double *times[2];
-    size_t i, errors[2] = {0, 0};
-    times[0] = (double *)need(2 * views * sizeof(double));
+    double *times[3];
+    size_t i, j, lines = 0, errors[3] = {0, 0, 0};
+    times[0] = (double *)need(3 * views * sizeof(double));
     times[1] = times[0] + views;
+    times[2] = times[1] + views;
     for (i = 0; i < views; ++i) {
         const sil_view view = view_number(i, axes);
         const size_t true_count = sil_extract(mesh, NULL, &view, SIL_SILHOUETTE, truth, mesh->edge_count);
         const double start = now_ms();
         const size_t published_count = run_published(p, mesh->rest.position, &view, found);
         const double middle = now_ms();
-        const size_t ours = sil_extract(mesh, pose, &view, SIL_SILHOUETTE, edges, mesh->edge_count);
         size_t wrong = differing(found, published_count, truth, true_count), k;
-        times[1][i] = now_ms() - middle;
         times[0][i] = middle - start;
         errors[0] = wrong > errors[0] ? wrong : errors[0];
-        for (k = 0; k < ours; ++k)
-            found[k] = edges[k].edge;
-        wrong = differing(found, ours, truth, true_count);
-        errors[1] = wrong > errors[1] ? wrong : errors[1];
+        lines += true_count;
+        for (j = 0; j < 2; ++j) {
+            const double begin = now_ms();
+            const size_t ours = sil_extract(j ? other : mesh, poses[j], &view, SIL_SILHOUETTE, edges, mesh->edge_count);
+            times[1 + j][i] = now_ms() - begin;
+            for (k = 0; k < ours; ++k)
+                found[k] = edges[k].edge;
+            wrong = differing(found, ours, truth, true_count);
+            errors[1 + j] = wrong > errors[1 + j] ? wrong : errors[1 + j];
+        }
     }
-    for (i = 0; i < 2; ++i)
+    for (i = 0; i < 3; ++i)
         qsort(times[i], views, sizeof(double), compare_doubles);
     report(csv, scene, mesh->edge_count, "published", times[0][views / 2], p->bytes, errors[0]);
     report(csv, scene, mesh->edge_count, "brute", times[1][views / 2], sil_mesh_get_info(mesh).bytes + mesh->face_count,
            errors[1]);
+    report(csv, scene, mesh->edge_count, "hierarchy", times[2][views / 2],
+           sil_mesh_get_info(other).hierarchy_bytes + 2 * poses[1]->found_capacity * sizeof(uint32_t), errors[2]);
+    printf("  %.2f %% of the edges are silhouettes; published / hierarchy %.1f, brute / hierarchy %.2f\n",
+           100.0 * (double)lines / (double)(views * mesh->edge_count), times[0][views / 2] / times[2][views / 2],
+           times[1][views / 2] / times[2][views / 2]);
     free(found);
     free(edges);
     free(truth);
@@ -287,37 +321,46 @@ static void run_rest(FILE *csv, const model *m, const sil_mesh *mesh, sil_pose *
 }
 
 static void run_model(FILE *csv, model m, size_t views) {
+    static const char *const subjects[2] = {"brute", "hierarchy"};
     sil_mesh_desc desc;
-    sil_mesh *mesh;
-    sil_pose *pose;
+    sil_mesh *meshes[2];
+    sil_pose *poses[2];
     published p;
     char axis_name[64];
-    double start = now_ms();
+    size_t i;
     memset(&desc, 0, sizeof desc);
     desc.positions = m.positions;
     desc.vertex_count = m.vertex_count;
     desc.indices = m.indices;
     desc.index_count = m.index_count;
-    mesh = sil_mesh_create(&desc, NULL);
-    pose = sil_pose_create(mesh, NULL);
-    if (!mesh || !pose) {
-        fputs("bench silhouette: out of memory\n", stderr);
-        exit(1);
+    for (i = 0; i < 2; ++i) {
+        const double start = now_ms();
+        double ms;
+        desc.flags = i ? SIL_MESH_HIERARCHY : SIL_MESH_NO_HIERARCHY;
+        meshes[i] = sil_mesh_create(&desc, NULL);
+        poses[i] = sil_pose_create(meshes[i], NULL);
+        if (!meshes[i] || !poses[i]) {
+            fputs("bench silhouette: out of memory\n", stderr);
+            exit(1);
+        }
+        ms = now_ms() - start;
+        printf("%-12s %-12s %9lu  %-10s %9.3f ms %11lu bytes\n", "create", m.name, (unsigned long)meshes[i]->edge_count,
+               subjects[i], ms, (unsigned long)sil_mesh_get_info(meshes[i]).bytes);
+        fprintf(csv, "create,%s,%lu,%s,%.6f,%lu,0\n", m.name, (unsigned long)meshes[i]->edge_count, subjects[i], ms,
+                (unsigned long)sil_mesh_get_info(meshes[i]).bytes);
     }
-    start = now_ms() - start;
-    printf("%-12s %-12s %9lu  %-10s %9.3f ms\n", "create", m.name, (unsigned long)mesh->edge_count, "brute", start);
-    fprintf(csv, "create,%s,%lu,brute,%.6f,%lu,0\n", m.name, (unsigned long)mesh->edge_count, start,
-            (unsigned long)sil_mesh_get_info(mesh).bytes);
-    p = publish(mesh);
-    run_views(csv, m.name, &p, mesh, pose, 0, views);
+    p = publish(meshes[0]);
+    run_views(csv, m.name, &p, poses, 0, views);
     snprintf(axis_name, sizeof axis_name, "%s_axes", m.name);
-    run_views(csv, axis_name, &p, mesh, pose, 1, views);
+    run_views(csv, axis_name, &p, poses, 1, views);
     if (m.vertex_count < 100000) /* all pairs of a larger one take too long */
-        run_rest(csv, &m, mesh, pose);
+        run_rest(csv, &m, meshes[0], poses[0]);
     free(p.edges);
     free(p.normals);
-    sil_pose_destroy(pose);
-    sil_mesh_destroy(mesh);
+    for (i = 0; i < 2; ++i) {
+        sil_pose_destroy(poses[i]);
+        sil_mesh_destroy(meshes[i]);
+    }
     free(m.positions);
     free(m.indices);
 }
@@ -334,7 +377,9 @@ int main(int argc, char **argv) {
     fputs("work,scene,size,subject,milliseconds,bytes,error_max\n", csv);
     run_model(csv, make_torus(250, 134), views);
     run_model(csv, make_box(76), views);
+    run_model(csv, make_blob("rough_blob", 183, 183, 0.3), views);
     run_model(csv, make_torus(800, 420), views);
+    run_model(csv, make_blob("blob", 578, 578, 0.1), views);
     run_model(csv, make_box(240), views);
     if (fclose(csv) != 0) {
         fprintf(stderr, "bench silhouette: cannot write %s\n", path);

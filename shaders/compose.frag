@@ -10,11 +10,11 @@
 
 uniform highp sampler2D tr_scene_depth;
 #if TR_HAS_OPAQUE
-uniform lowp sampler2D tr_opaque_color; // a = 1 where an opaque thing is
+uniform highp sampler2D tr_opaque_color; // a = 1 where an opaque thing is
 #endif
 #if TR_HAS_LAYER
 uniform highp sampler2D tr_front_depth;
-uniform lowp sampler2D tr_layer_color;
+uniform highp sampler2D tr_layer_color;
 #endif
 layout(location = 0) out highp vec4 tr_color;
 
@@ -44,7 +44,8 @@ void main()
         front.a = total > 0.0 ? front.a / total : 0.0;
         weight = 1.0 - front.a;
 #endif
-        tr_color = vec4(front.a * front.rgb + weight * color, weight * keep);
+        // The published sum may be above one; where the target adds its own part, its format clamps.
+        tr_color = vec4(min(front.a * front.rgb + weight * color, 1.0), weight * keep);
         return;
     }
 #endif

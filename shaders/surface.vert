@@ -3,7 +3,7 @@
 layout(location = 0) in highp vec3 tr_position;
 layout(location = 1) in highp vec3 tr_normal;
 layout(location = 2) in highp float tr_distance; // to the nearest silhouette, see alpha_law.glsl
-layout(location = 3) in highp vec3 tr_tint;      // added to the object's colour; an unset attribute reads as 0
+layout(location = 3) in highp vec3 tr_tint;      // added to the object's colour; by default 0
 
 uniform highp mat4 tr_model_view_projection;
 #if TR_WANTS_COLOR

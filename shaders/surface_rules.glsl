@@ -2,8 +2,9 @@
 // Fragment stage. What a surface fragment does in each pass of a sequence: Diepstraten 2002, section 6, as amended.
 //
 // A host's fragment shader calls tr_surface(color, object) once, last, in main. TR_RULE is defined by the preamble.
-// Depths are written and compared as the shader sees them (gl_FragCoord.z, stored unrounded in 32-bit float depth), so
-// that equality means "the same fragment" and no epsilon is needed.
+// Depths of transparent things are written and compared as the shader sees them (gl_FragCoord.z, stored unrounded in
+// 32-bit float depth), so that equality means "the same fragment" and no epsilon is needed. Opaque things write no
+// depth here: they keep the early depth test.
 
 #define TR_RULE_FRONT 0         // nearest front face: depth only
 #define TR_RULE_OWNER 1         // whose it is: the lowest object id among those that tie

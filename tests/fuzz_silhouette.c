@@ -201,6 +201,20 @@ static void check_distances(const sil_mesh *mesh, const sil_pose *pose, const si
         require(distances[i] >= 0, "a distance is negative or NaN");
         require(nearest[i] < count || nearest[i] == SIL_NONE, "nearest is out of range");
     }
+    if (!(desc.flags & SIL_DISTANCE_INFINITE_LINE)) {
+        float by_tree[MOST_VERTICES];
+        uint32_t its_nearest[MOST_VERTICES];
+        sil_edge_tree *tree = sil_edge_tree_create(mesh, NULL);
+        const sil_result built = sil_edge_tree_build(tree, pose, edges, count, &desc);
+        require(built == (sil_distances(mesh, pose, edges, count, &desc, 0, vertices, distances, nearest)),
+                "a tree and all pairs judge the matrix differently");
+        if (built == SIL_OK) {
+            require(sil_distances_by_tree(tree, 0, vertices, by_tree, its_nearest) == SIL_OK, "no distances by tree");
+            require(memcmp(by_tree, distances, vertices * sizeof(float)) == 0, "a tree finds other distances");
+            require(memcmp(its_nearest, nearest, vertices * sizeof(uint32_t)) == 0, "a tree finds other edges");
+        }
+        sil_edge_tree_destroy(tree);
+    }
     require(sil_max_distance(mesh, pose, desc.model) >= 0, "the greatest distance is negative or NaN");
 }
 

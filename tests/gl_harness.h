@@ -245,7 +245,10 @@ static inline tr_frame harness_frame(const harness *h, const ref_scene *scene, c
 static inline void harness_clear(const harness *h, const double background[3], float depth) {
     glBindFramebuffer(GL_FRAMEBUFFER, h->framebuffer);
     glClearColor((float)background[0], (float)background[1], (float)background[2], 1.0f);
-    glClearDepthf(depth);
+    if (h->context.es)
+        glClearDepthf(depth);
+    else
+        glClearDepth((double)depth);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
 }
 

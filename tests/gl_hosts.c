@@ -237,7 +237,7 @@ static void test_target_depth_and_alpha(void **state) {
     glClear(GL_COLOR_BUFFER_BIT);
     glEnable(GL_SCISSOR_TEST);
     glScissor(0, 0, SIZE / 2, SIZE);
-    glClearDepthf(0.1f); /* nearer than all boxes, in the left half */
+    glClearDepth(0.1); /* nearer than all boxes, in the left half */
     glClear(GL_DEPTH_BUFFER_BIT);
     glDisable(GL_SCISSOR_TEST);
     harness_draw(&h, &scene_of_boxes, boxes, BOXES, NULL, picture);
@@ -294,6 +294,8 @@ typedef struct line_vertex {
 } line_vertex;
 
 static GLuint line_array, line_buffer;
+static bool reversed;
+static int corner_x, corner_y; /* of the viewport */
 
 /* A bar from left to right, eight pixels thick about `y`. */
 static void upload_bar(float y, float depth) {
@@ -304,7 +306,7 @@ static void upload_bar(float y, float depth) {
         v[i].x = v[i].center_x = right ? (float)SIZE : 0.0f;
         v[i].y = y + (top ? 4.0f : -4.0f);
         v[i].center_y = y;
-        v[i].depth = depth;
+        v[i].depth = reversed ? 1.0f - depth : depth;
         v[i].slack = 1e-4f;
     }
     glBindVertexArray(line_array);
@@ -324,7 +326,11 @@ static void draw_with_bar(harness *h, uint32_t owner, uint32_t kind) {
     frame.wishes.blending = TR_BLENDING_OVER;
     frame.wishes.lines = kind;
     frame.outline_color[0] = 1.0f; /* red; creases white by default */
-    harness_clear(h, grey, 1.0f);
+    frame.x = corner_x;
+    frame.y = corner_y;
+    harness_clear(h, grey, reversed ? 0.0f : 1.0f);
+    glClearColor(0.5f, 0.5f, 0.5f, 0.25f);
+    glClear(GL_COLOR_BUFFER_BIT);
     assert_int_equal(tr_begin(h->tr, &frame), TR_OK);
     while (tr_next_pass(h->tr, &pass))
         for (int i = 0; i < 2; ++i) {
@@ -344,7 +350,9 @@ static void draw_with_bar(harness *h, uint32_t owner, uint32_t kind) {
         }
     glBindVertexArray(0);
     assert_int_equal(tr_end(h->tr), TR_OK);
-    glReadPixels(0, 0, SIZE, SIZE, GL_RGBA, GL_UNSIGNED_BYTE, picture);
+    glReadPixels(corner_x, corner_y, SIZE, SIZE, GL_RGBA, GL_UNSIGNED_BYTE, picture);
+    for (int i = 0; i < SIZE * SIZE; ++i)
+        assert_int_equal(picture[4 * i + 3], 64); /* the target's alpha is nobody's */
 }
 
 static void expect(int x, int y, double r, double g, double b) {
@@ -360,68 +368,140 @@ static void expect(int x, int y, double r, double g, double b) {
  * box (0 0.8 0) pixels 37 to 67 by its size 0.4 and shift 0.1, at 0.44 to 0.52; the background is 0.5 grey. */
 enum { OUTSIDE = 8, GLASS = 26, CORE = 50, LINE_Y = 48 };
 
-static void test_lines_lie_between_the_surfaces(void **state) {
-    harness h;
-    (void)state;
-    harness_open(&h, 450, false, NULL);
-    make_boxes(outward);
-    memset(scene_of_boxes.view, 0, sizeof scene_of_boxes.view);
-    for (int i = 0; i < 4; ++i)
-        scene_of_boxes.view[5 * i] = 1;
-    harness_target(&h, SIZE, SIZE);
-    glGenVertexArrays(1, &line_array);
-    glGenBuffers(1, &line_buffer);
-
-    upload_bar(LINE_Y, 0.43f); /* a line of the opaque box, in the glass and before the core: tinted by the glass */
-    draw_with_bar(&h, 2, TR_LINES_OUTLINES);
+/* Lines of the opaque box. */
+static void check_opaque_lines(harness *h) {
+    upload_bar(LINE_Y, 0.43f); /* in the glass and before the core: tinted by the glass */
+    draw_with_bar(h, 2, TR_LINES_OUTLINES);
     expect(OUTSIDE, LINE_Y, 1, 0, 0);
     expect(GLASS, LINE_Y, 0.9, 0, 0);
     expect(CORE, LINE_Y, 0.9, 0, 0);
     expect(CORE, LINE_Y + 8, 0.4, 0.4, 0); /* beside the line the core behind glass */
 
     upload_bar(LINE_Y, 0.55f); /* behind the core, before the back of the glass */
-    draw_with_bar(&h, 2, TR_LINES_OUTLINES);
+    draw_with_bar(h, 2, TR_LINES_OUTLINES);
     expect(GLASS, LINE_Y, 0.9, 0, 0);
     expect(CORE, LINE_Y, 0.4, 0.4, 0);
 
     upload_bar(LINE_Y, 0.7f); /* behind the glass: hidden by the limit, seen beside it */
-    draw_with_bar(&h, 2, TR_LINES_OUTLINES);
+    draw_with_bar(h, 2, TR_LINES_OUTLINES);
     expect(OUTSIDE, LINE_Y, 1, 0, 0);
     expect(GLASS, LINE_Y, 0.65, 0.25, 0.25);
     expect(CORE, LINE_Y, 0.4, 0.4, 0);
 
     upload_bar(LINE_Y, 0.3f); /* before everything: the glass does not tint it */
-    draw_with_bar(&h, 2, TR_LINES_OUTLINES);
-    expect(GLASS, LINE_Y, 1, 0, 0);
-    expect(CORE, LINE_Y, 1, 0, 0);
-
-    upload_bar(LINE_Y, 0.41f); /* a line of the glass, on its front: ink over all */
-    draw_with_bar(&h, 1, TR_LINES_OUTLINES);
+    draw_with_bar(h, 2, TR_LINES_OUTLINES);
     expect(GLASS, LINE_Y, 1, 0, 0);
     expect(CORE, LINE_Y, 1, 0, 0);
 
     upload_bar(LINE_Y,
-               0.5f); /* a line of the glass behind its front: faces of transparent objects never shine through */
-    draw_with_bar(&h, 1, TR_LINES_OUTLINES);
+               0.43f); /* a crease is white, and leaves no depth: glass before it covers it as it does the core */
+    draw_with_bar(h, 2, TR_LINES_CREASES);
+    expect(CORE, LINE_Y, 0.9, 0.5, 0.5);
+    upload_bar(LINE_Y, 0.3f);
+    draw_with_bar(h, 2, TR_LINES_CREASES);
+    expect(GLASS, LINE_Y, 0.9, 0.5, 0.5);
+}
+
+/* Lines of the glass. */
+static void check_transparent_lines(harness *h) {
+    upload_bar(LINE_Y, 0.41f); /* on its front: ink over all */
+    draw_with_bar(h, 1, TR_LINES_OUTLINES);
+    expect(GLASS, LINE_Y, 1, 0, 0);
+    expect(CORE, LINE_Y, 1, 0, 0);
+
+    upload_bar(LINE_Y, 0.4101f); /* a little behind its front: within the tolerance of two pixels, 2e-4 here */
+    draw_with_bar(h, 1, TR_LINES_OUTLINES);
+    expect(GLASS, LINE_Y, 1, 0, 0);
+
+    upload_bar(LINE_Y, 0.5f); /* behind its front: faces of transparent objects never shine through */
+    draw_with_bar(h, 1, TR_LINES_OUTLINES);
     expect(OUTSIDE, LINE_Y, 1, 0, 0);
     expect(GLASS, LINE_Y, 0.65, 0.25, 0.25);
+}
 
-    upload_bar(LINE_Y, 0.43f); /* a crease is white */
-    draw_with_bar(&h, 2, TR_LINES_CREASES);
-    expect(CORE, LINE_Y, 0.9, 0.5, 0.5);
-
+static void check_lines(bool reversed_z, int x, int y) {
+    harness h;
+    tr_desc desc = {0};
+    reversed = reversed_z;
+    corner_x = x;
+    corner_y = y;
+    desc.reversed_z = reversed_z;
+    harness_open(&h, 450, false, &desc);
+    make_boxes(outward);
+    memset(scene_of_boxes.view, 0, sizeof scene_of_boxes.view);
+    for (int i = 0; i < 4; ++i)
+        scene_of_boxes.view[5 * i] = 1;
+    scene_of_boxes.projection[10] *= reversed_z ? -1 : 1;
+    harness_target(&h, SIZE + x, SIZE + y);
+    glGenVertexArrays(1, &line_array);
+    glGenBuffers(1, &line_buffer);
+    check_opaque_lines(&h);
+    check_transparent_lines(&h);
     glDeleteVertexArrays(1, &line_array);
     glDeleteBuffers(1, &line_buffer);
     drop_boxes();
     harness_close(&h);
 }
 
+static void test_lines_lie_between_the_surfaces(void **state) {
+    (void)state;
+    check_lines(false, 0, 0);
+    check_lines(false, 23, 11);
+    check_lines(true, 23, 11);
+}
+
+/* ---- what is no number ---- */
+
+/* Alpha of the front glass by the built-in program, from its colour over grey at a pixel beside the core. */
+static double drawn_alpha(harness *h, float distance, float d_max, float k) {
+    float distances[8], d_maxes[BOXES] = {d_max, 0, 0, 0}, ks[BOXES] = {k, 0, 0, 0};
+    harness_options options = {0, 0, d_maxes, ks, NULL, NULL, 0};
+    for (int i = 0; i < 8; ++i)
+        distances[i] = distance;
+    make_boxes(outward);
+    memset(scene_of_boxes.view, 0, sizeof scene_of_boxes.view);
+    for (int i = 0; i < 4; ++i)
+        scene_of_boxes.view[5 * i] = 1;
+    scene_of_boxes.blending = REF_BLEND_OVER;
+    harness_drop_object(&boxes[0]);
+    boxes[0].truth.alpha = 1.0;
+    harness_upload(&boxes[0], distances);
+    harness_clear(h, grey, 1.0f);
+    harness_draw(h, &scene_of_boxes, boxes, 1, &options, picture);
+    drop_boxes();
+    return (picture[4 * (LINE_Y * SIZE + GLASS)] / 255.0 - 0.5) / 0.3;
+}
+
+static void test_alpha_law_on_the_gpu(void **state) {
+    static const float values[] = {0.0f, -1.0f, 1e-30f, 0.25f, 1.0f, 1e30f, INFINITY, NAN};
+    enum { COUNT = sizeof values / sizeof values[0] };
+    harness h;
+    (void)state;
+    harness_open(&h, 450, false, NULL);
+    harness_target(&h, SIZE, SIZE);
+    for (int d = 0; d < COUNT; ++d)
+        for (int d_max = 0; d_max < COUNT; ++d_max)
+            for (int k = 0; k < COUNT; ++k) {
+                double expected = (double)tr_view_alpha(values[d], values[d_max], values[k]);
+                double found = drawn_alpha(&h, values[d], values[d_max], values[k]);
+                if (fabs(found - expected) > 0.01) /* two steps of 8 bits over 0.3 of contrast */
+                    fail_msg("alpha(%g, %g, %g) is %g, should be %g", (double)values[d], (double)values[d_max],
+                             (double)values[k], found, expected);
+            }
+    harness_close(&h);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_host_shaders_draw_the_same),        cmocka_unit_test(test_reversed_depth_draws_the_same),
-        cmocka_unit_test(test_clockwise_fronts_draw_the_same),    cmocka_unit_test(test_other_units_draw_the_same),
-        cmocka_unit_test(test_viewport_in_a_larger_target),       cmocka_unit_test(test_target_depth_and_alpha),
-        cmocka_unit_test(test_other_attachments_are_not_written), cmocka_unit_test(test_lines_lie_between_the_surfaces),
+        cmocka_unit_test(test_host_shaders_draw_the_same),
+        cmocka_unit_test(test_reversed_depth_draws_the_same),
+        cmocka_unit_test(test_clockwise_fronts_draw_the_same),
+        cmocka_unit_test(test_other_units_draw_the_same),
+        cmocka_unit_test(test_viewport_in_a_larger_target),
+        cmocka_unit_test(test_target_depth_and_alpha),
+        cmocka_unit_test(test_other_attachments_are_not_written),
+        cmocka_unit_test(test_lines_lie_between_the_surfaces),
+        cmocka_unit_test(test_alpha_law_on_the_gpu),
     };
     return cmocka_run_group_tests_name("gl_hosts", tests, draw_plain_once, NULL);
 }

@@ -89,7 +89,10 @@ static void take_blend(snapshot *s, GLuint buffer) {
     GLboolean mask[4];
     for (int i = 0; i < 6; ++i) {
         GLint v;
-        glGetIntegeri_v(what[i], buffer, &v);
+        if (version >= (is_es ? 320 : 400))
+            glGetIntegeri_v(what[i], buffer, &v);
+        else
+            glGetIntegerv(what[i], &v);
         take(s, "blend of a draw buffer", v);
     }
     take(s, "blend switch of a draw buffer", glIsEnabledi(GL_BLEND, buffer));
@@ -119,6 +122,21 @@ static void take_units(snapshot *s) {
     }
 }
 
+/* GL 4.1: sixteen viewports, of which a frame needs the first. */
+static void take_viewports(snapshot *s) {
+    for (GLuint i = 0; i < 3; ++i) {
+        GLfloat viewport[4];
+        GLdouble range[2];
+        glGetFloati_v(GL_VIEWPORT, i, viewport);
+        glGetDoublei_v(GL_DEPTH_RANGE, i, range);
+        take(s, "scissor test of a viewport", glIsEnabledi(GL_SCISSOR_TEST, i));
+        for (int k = 0; k < 4; ++k)
+            take(s, "viewport by index", (double)viewport[k]);
+        take(s, "depth range by index", range[0]);
+        take(s, "depth range by index", range[1]);
+    }
+}
+
 static snapshot take_snapshot(void) {
     snapshot s = {{0}, {0}, 0};
     for (size_t i = 0; i < sizeof integers / sizeof integers[0]; ++i)
@@ -137,6 +155,8 @@ static snapshot take_snapshot(void) {
             take(&s, "a desktop switch", glIsEnabled(desktop_switches[i]));
         take_integers(&s, "polygon mode", GL_POLYGON_MODE, 1);
         take_integers(&s, "logic op", GL_LOGIC_OP_MODE, 1);
+        if (version >= 410)
+            take_viewports(&s);
     }
     if (!is_es || version >= 320)
         for (GLuint buffer = 0; buffer < 8; ++buffer)
@@ -262,12 +282,28 @@ static void hostile_blend(void) {
             continue;
         }
         glColorMaski(b, m[0], m[1], m[2], m[3]);
-        glBlendFuncSeparatei(b, f[0], f[1], f[2], f[3]);
-        glBlendEquationSeparatei(b, equations[draw_number(4)], equations[draw_number(4)]);
+        if (version >= (is_es ? 320 : 400)) {
+            glBlendFuncSeparatei(b, f[0], f[1], f[2], f[3]);
+            glBlendEquationSeparatei(b, equations[draw_number(4)], equations[draw_number(4)]);
+        } else {
+            glBlendFuncSeparate(f[0], f[1], f[2], f[3]);
+            glBlendEquationSeparate(equations[draw_number(4)], equations[draw_number(4)]);
+        }
         if (draw_number(2))
             glEnablei(GL_BLEND, b);
         else
             glDisablei(GL_BLEND, b);
+    }
+}
+
+static void hostile_viewports(void) {
+    for (GLuint i = 0; i < 3; ++i) {
+        glViewportIndexedf(i, 1.25f + (float)i, 2.5f, 30.5f, 20.0f + (float)draw_number(9));
+        glDepthRangeIndexed(i, 0.1 * (double)draw_number(5), 0.9);
+        if (draw_number(2))
+            glEnablei(GL_SCISSOR_TEST, i);
+        else
+            glDisablei(GL_SCISSOR_TEST, i);
     }
 }
 
@@ -288,7 +324,12 @@ static void hostile_state(const hostile_names *n) {
     glScissor((GLint)draw_number(50), (GLint)draw_number(50), (GLsizei)draw_number(9), (GLsizei)draw_number(9));
     glDepthMask((GLboolean)draw_number(2));
     glDepthFunc(GL_NEVER + draw_number(8));
-    glDepthRangef(0.25f * (float)draw_number(4), 0.25f * (float)draw_number(4));
+    if (is_es)
+        glDepthRangef(0.25f * (float)draw_number(4), 0.25f * (float)draw_number(4));
+    else
+        glDepthRange(0.1 * (double)draw_number(4), 0.1 * (double)draw_number(4));
+    if (!is_es && version >= 410)
+        hostile_viewports();
     glCullFace(draw_number(2) ? GL_FRONT : GL_BACK);
     glFrontFace(draw_number(2) ? GL_CW : GL_CCW);
     glPolygonOffset(3.0f, 4.0f);
@@ -297,7 +338,10 @@ static void hostile_state(const hostile_names *n) {
     glStencilFunc(GL_NEVER + draw_number(8), 3, 255);
     glStencilOp(GL_INVERT, GL_INCR, GL_DECR);
     glClearColor(0.1f, 0.2f, 0.3f, 0.4f);
-    glClearDepthf(0.5f);
+    if (is_es)
+        glClearDepthf(0.5f);
+    else
+        glClearDepth(0.5);
     glPixelStorei(GL_UNPACK_ROW_LENGTH, (GLint)draw_number(9));
 }
 
@@ -441,6 +485,12 @@ static void test_state_is_restored_gl45(void **state) {
     check_restore(450, false);
 }
 
+/* The newest driver held to 3.3: no blend state by buffer, no viewports by index. */
+static void test_state_is_restored_gl33(void **state) {
+    (void)state;
+    check_restore(330, false);
+}
+
 static void test_state_is_restored_es32(void **state) {
     (void)state;
     check_restore(320, true);
@@ -498,7 +548,11 @@ static void test_defaults_are_left(void **state) {
     seed = 77;
     hostile_state(&names);
     tr_frame frame = harness_frame(&h, &box_scene, boxes, 3);
+    GLfloat before[4], after[4];
+    glGetFloati_v(GL_VIEWPORT, 0, before);
     run_frame(&h, &frame);
+    glGetFloati_v(GL_VIEWPORT, 0, after);
+    assert_memory_equal(before, after, sizeof before);
     static const GLenum off[] = {GL_CULL_FACE,    GL_DEPTH_TEST,     GL_SCISSOR_TEST,
                                  GL_STENCIL_TEST, GL_COLOR_LOGIC_OP, GL_DEPTH_CLAMP};
     for (size_t i = 0; i < sizeof off / sizeof off[0]; ++i)
@@ -527,7 +581,7 @@ static void apply_by_hand(const tr_state *state) {
     plain_state();
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, state->framebuffer);
     glViewport(state->viewport[0], state->viewport[1], state->viewport[2], state->viewport[3]);
-    glDepthRangef(0, 1);
+    glDepthRange(0, 1);
     glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     if (state->clear_color)
         glClearBufferfv(GL_COLOR, 0, state->clear_color_value);
@@ -562,48 +616,51 @@ static void apply_by_hand(const tr_state *state) {
     }
 }
 
-/* STATE_NONE: the host applies what the passes carry and gets the very picture that RESTORE gives. */
-static void test_state_as_data_draws_the_same(void **state) {
+static void draw_from_data(harness *h, const tr_frame *frame) {
+    tr_pass pass;
+    assert_int_equal(tr_begin(h->tr, frame), TR_OK);
+    while (tr_next_pass(h->tr, &pass)) {
+        apply_by_hand(&pass.state);
+        for (int i = 0; i < 3 && !pass.state.vertex_count; ++i) {
+            tr_material material;
+            if (!tr_pass_draws(&pass, &boxes[i].object))
+                continue;
+            harness_material(&box_scene, &boxes[i].truth, &material);
+            tr_set_material(h->tr, &pass, &material);
+            glBindVertexArray(boxes[i].array);
+            glDrawElements(GL_TRIANGLES, 36, GL_UNSIGNED_INT, NULL);
+        }
+    }
+    assert_int_equal(tr_end(h->tr), TR_OK);
+}
+
+/* All four policies give the very same picture; with STATE_NONE the host applies what the passes carry. */
+static void test_policies_draw_the_same(void **state) {
     static const double grey[3] = {0.5, 0.5, 0.5};
-    static unsigned char pictures[2][64 * 64 * 4];
+    static unsigned char pictures[4][64 * 64 * 4];
     (void)state;
     is_es = false;
     version = 450;
-    for (int none = 0; none < 2; ++none) {
+    for (int policy = 0; policy < 4; ++policy) {
         harness h;
         tr_desc desc = {0};
-        desc.state = none ? TR_STATE_NONE : TR_STATE_RESTORE;
+        desc.state = (tr_state_policy)policy;
         harness_open(&h, 450, false, &desc);
         make_boxes();
         harness_target(&h, 64, 64);
         harness_clear(&h, grey, 1.0f);
         tr_frame frame = harness_frame(&h, &box_scene, boxes, 3);
-        if (!none) {
+        if (policy == TR_STATE_NONE)
+            draw_from_data(&h, &frame);
+        else
             run_frame(&h, &frame);
-        } else {
-            tr_pass pass;
-            assert_int_equal(tr_begin(h.tr, &frame), TR_OK);
-            while (tr_next_pass(h.tr, &pass)) {
-                apply_by_hand(&pass.state);
-                for (int i = 0; i < 3 && !pass.state.vertex_count; ++i) {
-                    tr_material material;
-                    if (!tr_pass_draws(&pass, &boxes[i].object))
-                        continue;
-                    harness_material(&box_scene, &boxes[i].truth, &material);
-                    tr_set_material(h.tr, &pass, &material);
-                    glBindVertexArray(boxes[i].array);
-                    glDrawElements(GL_TRIANGLES, 36, GL_UNSIGNED_INT, NULL);
-                }
-            }
-            assert_int_equal(tr_end(h.tr), TR_OK);
-        }
         plain_state();
-        read_picture(&h, pictures[none]);
+        read_picture(&h, pictures[policy]);
+        assert_memory_equal(pictures[0], pictures[policy], sizeof pictures[0]);
         for (int i = 0; i < 3; ++i)
             harness_drop_object(&boxes[i]);
         harness_close(&h);
     }
-    assert_memory_equal(pictures[0], pictures[1], sizeof pictures[0]);
 }
 
 /* A multisampled target is refused before anything is drawn, and the error says so. */
@@ -638,13 +695,10 @@ static void test_multisampled_target_is_refused(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_state_is_restored_gl45),
-        cmocka_unit_test(test_state_is_restored_es32),
-        cmocka_unit_test(test_state_is_restored_es30),
-        cmocka_unit_test(test_other_calls_leave_state),
-        cmocka_unit_test(test_defaults_are_left),
-        cmocka_unit_test(test_state_as_data_draws_the_same),
-        cmocka_unit_test(test_multisampled_target_is_refused),
+        cmocka_unit_test(test_state_is_restored_gl45),  cmocka_unit_test(test_state_is_restored_gl33),
+        cmocka_unit_test(test_state_is_restored_es32),  cmocka_unit_test(test_state_is_restored_es30),
+        cmocka_unit_test(test_other_calls_leave_state), cmocka_unit_test(test_defaults_are_left),
+        cmocka_unit_test(test_policies_draw_the_same),  cmocka_unit_test(test_multisampled_target_is_refused),
     };
     return cmocka_run_group_tests_name("gl_state", tests, NULL, NULL);
 }

@@ -23,12 +23,14 @@ static struct {
     const char *missing;  /* function that get_proc does not know */
     int fail_compile;     /* 1: shaders do not compile; 2: programs do not link */
     int fail_framebuffer; /* the n-th check of completeness fails; 0: none */
+    uint32_t refused_framebuffer;
     int framebuffer_checks, samples, max_texture_size;
     int live[6]; /* textures, framebuffers, buffers, vertex arrays, shaders, programs */
     uint32_t next_name;
     const char *calls[MAX_CALLS];
     int call_count;
-    uint32_t bound_framebuffer, program;
+    uint32_t bound_framebuffer, program, vertex_array;
+    uint32_t attachments[256][2]; /* colour and depth texture of a framebuffer */
     int active_unit;
     uint32_t unit_textures[32];
     char text[4096]; /* all that was logged */
@@ -69,6 +71,15 @@ static void discard(int kind, int32_t count, const uint32_t *names) {
 #define U uint32_t
 #define I int32_t
 #define B unsigned char
+/* No unit may hold a texture that is being drawn into. */
+static void check_units(void) {
+    const uint32_t *drawn = driver.attachments[driver.bound_framebuffer & 255];
+    for (int unit = 0; unit < 32; ++unit)
+        for (int a = 0; a < 2; ++a)
+            if (driver.bound_framebuffer && drawn[a])
+                assert_int_not_equal(driver.unit_textures[unit], drawn[a]);
+}
+
 #define FAKE(name, parameters, body)                                                                                   \
     static void fake_##name parameters {                                                                               \
         note(#name);                                                                                                   \
@@ -80,10 +91,11 @@ FAKE(AttachShader, (U a, U b), (void)a; (void)b;)
 FAKE(BindBuffer, (U a, U b), (void)a; (void)b;)
 FAKE(BindBufferBase, (U a, U b, U c), (void)a; (void)b; (void)c;)
 FAKE(BindBufferRange, (U a, U b, U c, ptrdiff_t d, ptrdiff_t e), (void)a; (void)b; (void)c; (void)d; (void)e;)
-FAKE(BindFramebuffer, (U a, U b), if (a == 0x8CA9u) driver.bound_framebuffer = b;)
+FAKE(BindFramebuffer, (U a, U b),
+     if (a == 0x8CA9u && (b == 0 || b != driver.refused_framebuffer)) driver.bound_framebuffer = b;)
 FAKE(BindSampler, (U a, U b), (void)a; (void)b;)
 FAKE(BindTexture, (U a, U b), (void)a; driver.unit_textures[driver.active_unit & 31] = b;)
-FAKE(BindVertexArray, (U a), (void)a;)
+FAKE(BindVertexArray, (U a), driver.vertex_array = a;)
 FAKE(BlendEquationSeparate, (U a, U b), (void)a; (void)b;)
 FAKE(BlendEquationSeparatei, (U a, U b, U c), (void)a; (void)b; (void)c;)
 FAKE(BlendFuncSeparate, (U a, U b, U c, U d), (void)a; (void)b; (void)c; (void)d;)
@@ -105,13 +117,19 @@ FAKE(DepthFunc, (U a), (void)a;)
 FAKE(DepthMask, (B a), (void)a;)
 FAKE(DepthRange, (double a, double b), (void)a; (void)b;)
 FAKE(DepthRangef, (float a, float b), (void)a; (void)b;)
+FAKE(DepthRangeIndexed, (U a, double b, double c), (void)a; (void)b; (void)c;)
+FAKE(GetDoublev, (U a, double *b), (void)a; b[0] = 0; b[1] = 1;)
+FAKE(GetDoublei_v, (U a, U b, double *c), (void)a; (void)b; c[0] = 0; c[1] = 1;)
+FAKE(GetFloati_v, (U a, U b, float *c), (void)a; (void)b; c[0] = c[1] = c[2] = c[3] = 7;)
+FAKE(ViewportIndexedf, (U a, float b, float c, float d, float e), (void)a; (void)b; (void)c; (void)d; (void)e;)
 FAKE(Disable, (U a), (void)a;)
 FAKE(Disablei, (U a, U b), (void)a; (void)b;)
-FAKE(DrawArrays, (U a, I b, I c), (void)a; (void)b; (void)c;)
+FAKE(DrawArrays, (U a, I b, I c), (void)a; (void)b; (void)c; check_units();)
 FAKE(DrawBuffers, (I a, const U *b), (void)a; (void)b;)
 FAKE(Enable, (U a), (void)a;)
 FAKE(Enablei, (U a, U b), (void)a; (void)b;)
-FAKE(FramebufferTexture2D, (U a, U b, U c, U d, I e), (void)a; (void)b; (void)c; (void)d; (void)e;)
+FAKE(FramebufferTexture2D, (U a, U b, U c, U d, I e), (void)a; (void)c; (void)e;
+     driver.attachments[driver.bound_framebuffer & 255][b == 0x8D00u] = d;)
 FAKE(FrontFace, (U a), (void)a;)
 FAKE(GenBuffers, (I a, U *b), generate(BUFFERS, a, b);)
 FAKE(GenFramebuffers, (I a, U *b), generate(FRAMEBUFFERS, a, b);)
@@ -155,6 +173,9 @@ static void fake_GetIntegerv(U what, I *out) {
         break; /* polygon mode */
     case 0x0D33u:
         *out = driver.max_texture_size;
+        break;
+    case 0x0D3Au: /* viewport dims */
+        out[0] = out[1] = 32768;
         break;
     case 0x8B4Du:
         *out = 32;
@@ -249,6 +270,7 @@ static tr_proc get_proc(const char *name) {
     TR_I_GL_DESKTOP(GIVE)
     TR_I_GL_INDEXED(GIVE)
     TR_I_GL_INDEXED_BLEND(GIVE)
+    TR_I_GL_VIEWPORTS(GIVE)
     TR_I_GL_ES(GIVE)
 #undef GIVE
     return NULL;
@@ -310,8 +332,12 @@ static int run_frame(tr_context *tr, const tr_frame *frame) {
     tr_pass pass;
     int passes = 0;
     assert_int_equal(tr_begin(tr, frame), TR_OK);
-    while (tr_next_pass(tr, &pass))
+    uint32_t array = driver.vertex_array;
+    while (tr_next_pass(tr, &pass)) {
+        check_units();
+        assert_int_equal(driver.vertex_array, array); /* full-screen passes put the host's back */
         ++passes;
+    }
     assert_int_equal(tr_end(tr), TR_OK);
     return passes;
 }
@@ -422,6 +448,7 @@ static void test_failing_shaders_are_reported(void **state) {
         driver.fail_compile = how;
         assert_int_equal(tr_begin(tr, &frame), TR_SHADER_FAILED);
         assert_non_null(strstr(driver.text, how == 1 ? "compile trouble" : "link trouble"));
+        assert_int_equal(tr_prepare_program(tr, 5), how == 1 ? TR_OK : TR_INVALID_ARGUMENT); /* not linked */
         assert_int_equal(driver.live[SHADERS], 0);
         assert_int_equal(driver.live[PROGRAMS], 0);
         driver.fail_compile = 0;
@@ -463,6 +490,13 @@ static void test_bad_frames(void **state) {
     assert_int_equal(tr_begin(tr, &frame), TR_INVALID_ARGUMENT);
     frame.width = 16385;
     assert_int_equal(tr_begin(tr, &frame), TR_TOO_LARGE);
+    frame = make_frame(1, 1);
+    frame.light[0] = frame.light[1] = 3e38f; /* any length */
+    assert_int_equal(tr_begin(tr, &frame), TR_OK);
+    assert_int_equal(tr_end(tr), TR_OK);
+    frame.framebuffer = 77; /* the driver knows no such name */
+    driver.refused_framebuffer = 77;
+    assert_int_equal(tr_begin(tr, &frame), TR_TARGET_INCOMPLETE);
     frame = make_frame(1, 1);
     frame.light[1] = NAN;
     assert_int_equal(tr_begin(tr, &frame), TR_INVALID_ARGUMENT);
@@ -541,16 +575,19 @@ static void test_state_none_makes_no_call(void **state) {
 /* No pass reads a texture that it draws into. */
 static void test_no_pass_reads_what_it_draws(void **state) {
     (void)state;
-    for (int variant = 0; variant < 24; ++variant) {
-        tr_desc desc = make_desc(TR_STATE_NONE);
+    for (int variant = 0; variant < 72; ++variant) {
+        tr_desc desc = make_desc(variant < 36 ? TR_STATE_NONE : TR_STATE_RESTORE);
         tr_frame frame = make_frame((uint32_t)variant % 2, (uint32_t)variant / 2 % 3);
         tr_pass pass;
         frame.scene.transparent_two_sided = (uint32_t)variant / 6 % 2;
-        frame.wishes.interior = (tr_interior)(variant / 12);
+        frame.wishes.interior = (tr_interior)(variant / 12 % 3);
         reset_driver();
         tr_context *tr = tr_create(&desc, NULL);
         assert_int_equal(tr_begin(tr, &frame), TR_OK);
+        driver.vertex_array = 0;
         while (tr_next_pass(tr, &pass)) {
+            if (desc.state == TR_STATE_RESTORE)
+                check_units();
             int fbo = tr_i_fbo_of(pass.kind);
             for (int unit = 0; fbo >= 0 && unit < TR_I_UNIT_COUNT; ++unit)
                 for (int a = 0; a < 2; ++a)
@@ -575,7 +612,12 @@ static void test_resizing_leaks_nothing(void **state) {
         run_frame(tr, &frame);
         assert_true(driver.live[TEXTURES] <= 6);
     }
-    tr_release(tr);
+    tr_frame frame = make_frame(1, 1);
+    assert_int_equal(tr_begin(tr, &frame), TR_OK);
+    assert_int_equal(tr_release(tr), TR_WRONG_ORDER); /* the frame's passes need them */
+    assert_int_equal(tr_end(tr), TR_OK);
+    assert_int_equal(tr_release(tr), TR_OK);
+    assert_int_equal(tr_release(NULL), TR_INVALID_ARGUMENT);
     assert_int_equal(driver.live[TEXTURES], 0);
     assert_int_equal(tr_get_info(tr).bytes, 0);
     tr_destroy(tr);
@@ -707,6 +749,8 @@ static void test_view_alpha(void **state) {
     assert_true(tr_view_alpha(1.0f, INFINITY, 0.5f) >= 0.99f);
     assert_true(tr_view_alpha(0.5f, 1.0f, -3.0f) == tr_view_alpha(0.5f, 1.0f, 0.0f));
     assert_true(tr_view_alpha(0.5f, 1.0f, NAN) == 0.0f); /* counts as 0 */
+    assert_true(tr_view_alpha(0.5f, 1.0f, -INFINITY) == 0.0f);
+    assert_true(tr_view_alpha(0.5f, 1.0f, INFINITY) == 1.0f);
     assert_true(tr_view_alpha(1e-45f, 1e-38f, 0.5f) <= 1.0f);
     assert_true(tr_view_alpha(1e-45f, 1e38f, 0.0f) == 0.0f);
 }

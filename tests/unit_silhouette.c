@@ -1756,6 +1756,186 @@ static void test_distance_rules(void **state) {
     sil_mesh_destroy(mesh);
 }
 
+/* The tree against all pairs, bit by bit: distances and the nearest edge, in ranges and at the same places given as
+   points. Returns how many different edges were the nearest somewhere. */
+static size_t check_tree(const sil_mesh *mesh, const sil_pose *pose, const sil_edge *edges, size_t count,
+                         const float *positions, const float *model) {
+    const size_t vertices = sil_mesh_get_info(mesh).vertex_count, range = 1 + random_below(2 * vertices);
+    float *d = (float *)malloc(3 * (vertices + 1) * sizeof(float));
+    uint32_t *n = (uint32_t *)malloc(3 * (vertices + 1) * sizeof(uint32_t));
+    unsigned char *seen = (unsigned char *)calloc(count + 1, 1);
+    sil_edge_tree *tree = sil_edge_tree_create(mesh, NULL);
+    sil_distance_desc desc;
+    size_t i, different = 0;
+    assert_non_null(tree);
+    assert_non_null(d);
+    assert_non_null(n);
+    assert_non_null(seen);
+    memset(&desc, 0, sizeof desc);
+    memcpy(desc.model, model, sizeof desc.model);
+    assert_int_equal(sil_edge_tree_build(tree, pose, edges, count, &desc), SIL_OK);
+    assert_int_equal(sil_distances(mesh, pose, edges, count, &desc, 0, vertices, d, n), SIL_OK);
+    for (i = 0; i < vertices; i += range) {
+        const size_t some = vertices - i < range ? vertices - i : range;
+        assert_int_equal(sil_distances_by_tree(tree, i, some, d + vertices + i, n + vertices + i), SIL_OK);
+    }
+    assert_int_equal(sil_distances_at(tree, positions, 0, vertices, d + 2 * vertices, n + 2 * vertices), SIL_OK);
+    assert_memory_equal(d, d + vertices, vertices * sizeof(float));
+    assert_memory_equal(n, n + vertices, vertices * sizeof(uint32_t));
+    assert_memory_equal(d, d + 2 * vertices, vertices * sizeof(float));
+    assert_memory_equal(n, n + 2 * vertices, vertices * sizeof(uint32_t));
+    assert_int_equal(sil_distances_by_tree(tree, 0, vertices, d + vertices, NULL), SIL_OK);
+    assert_memory_equal(d, d + vertices, vertices * sizeof(float));
+    for (i = 0; i < vertices; ++i)
+        if (n[i] != SIL_NONE && !seen[n[i]]) {
+            seen[n[i]] = 1;
+            ++different;
+        }
+    sil_edge_tree_destroy(tree);
+    free(d);
+    free(n);
+    free(seen);
+    return different;
+}
+
+/* Vertices in a random order: neighbours in the array are far from each other. */
+static void shuffle_vertices(shape *s) {
+    uint32_t *to = (uint32_t *)malloc(s->vertex_count * sizeof(uint32_t));
+    float *moved = (float *)malloc(3 * s->vertex_count * sizeof(float));
+    size_t i;
+    assert_non_null(to);
+    assert_non_null(moved);
+    for (i = 0; i < s->vertex_count; ++i) {
+        const size_t other = random_below(i + 1);
+        to[i] = to[other];
+        to[other] = (uint32_t)i;
+    }
+    for (i = 0; i < s->vertex_count; ++i)
+        memcpy(moved + 3 * (size_t)to[i], s->positions + 3 * i, 3 * sizeof(float));
+    for (i = 0; i < s->index_count; ++i)
+        s->indices[i] = to[s->indices[i]];
+    free(s->positions);
+    s->positions = moved;
+    free(to);
+}
+
+static void test_distance_tree(void **state) {
+    static const float models[4][9] = {{1, 0, 0, 0, 1, 0, 0, 0, 1},
+                                       {3, 0.5f, 0, -1, 0.2f, 0, 0, 1, -2},
+                                       {1, 2, 0, 2, 4, 0, 0, 0, 1},
+                                       {1e-9f, 0, 0, 0, 1e-9f, 0, 0, 0, 1e-9f}};
+    size_t different = 0, round;
+    (void)state;
+    for (round = 0; round < 40; ++round) { /* noise, coarse grids (many ties), shuffled, huge, far from the origin */
+        shape s = round % 4 == 3 ? make_box(7)
+                                 : make_torus(20 + (int)random_below(40), 9 + (int)random_below(20),
+                                              round % 2 ? 0.1 : 0, round % 3 == 1 ? 8 : 0);
+        const sil_view view = view_at(random_in(-3, 3), random_in(-3, 3), random_in(-3, 3), 1);
+        sil_edge *edges;
+        sil_mesh *mesh;
+        sil_pose *pose;
+        size_t count, i;
+        if (round % 5 == 4)
+            shuffle_vertices(&s);
+        mesh = mesh_of(&s);
+        pose = sil_pose_create(mesh, NULL);
+        for (i = 0; i < 3 * s.vertex_count && round % 3 == 2; ++i)
+            s.positions[i] = (float)((double)s.positions[i] * (round % 2 ? 1e20 : 0.01) + (round % 2 ? 0 : 100));
+        assert_int_equal(sil_pose_set(pose, s.positions, 0), SIL_OK);
+        edges = extract_all(mesh, pose, round % 7 == 6 ? NULL : &view, round % 7 == 6 ? 15 : 1, &count);
+        different += check_tree(mesh, pose, edges, count, s.positions, models[round % 4]);
+        for (i = 0; i < count; ++i) { /* in any order, some twice, some not of this mesh */
+            const size_t other = random_below(i + 1);
+            const sil_edge edge = edges[i];
+            edges[i] = edges[other];
+            edges[other] = edge;
+            if (i % 50 == 49)
+                edges[i].edge = i % 100 == 99 ? SIL_NONE : edges[0].edge;
+        }
+        different += check_tree(mesh, pose, edges, count, s.positions, models[round % 3]);
+        free(edges);
+        sil_pose_destroy(pose);
+        sil_mesh_destroy(mesh);
+        shape_free(&s);
+    }
+    print_message("tree: %zu edges were the nearest of some vertex\n", different);
+    assert_true(different > 3000);
+}
+
+/* Points that are no vertices: anywhere, unaligned, not finite, and so far that squares overflow. */
+static void test_distances_at(void **state) {
+    shape torus = make_torus(30, 12, 0.02, 0);
+    sil_mesh *mesh = mesh_of(&torus);
+    sil_edge_tree *tree = sil_edge_tree_create(mesh, NULL);
+    const float identity9[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+    enum { POINT_COUNT = 3000, STRIDE = 13 };
+    char *bytes = (char *)malloc(POINT_COUNT * STRIDE);
+    float d[POINT_COUNT], before;
+    uint32_t n[POINT_COUNT];
+    size_t count, i, k;
+    sil_edge *edges = extract_all(mesh, NULL, NULL, SIL_CREASE, &count);
+    sil_distance_desc desc;
+    double worst = 0;
+    (void)state;
+    assert_non_null(bytes);
+    assert_true(count > 20);
+    assert_int_equal(sil_distances_at(tree, torus.positions, 0, 1, d, n), SIL_INVALID_ARGUMENT); /* not built */
+    assert_int_equal(sil_edge_tree_build(tree, NULL, edges, count, NULL), SIL_OK);
+    for (i = 0; i < POINT_COUNT; ++i) {
+        const double reach = i % 3 == 0 ? 1.5 : i % 3 == 1 ? 1e4 : 3e38;
+        float p[3];
+        for (k = 0; k < 3; ++k)
+            p[k] = (float)random_in(-reach, reach);
+        if (i == 77)
+            p[1] = NAN;
+        if (i == 78)
+            p[2] = -INFINITY;
+        memcpy(bytes + STRIDE * i, p, sizeof p);
+    }
+    assert_int_equal(sil_distances_at(tree, (const float *)(const void *)bytes, STRIDE, POINT_COUNT, d, n), SIL_OK);
+    for (i = 0; i < POINT_COUNT; ++i) {
+        long double best = 1e60L, size = 0;
+        float p[3];
+        memcpy(p, bytes + STRIDE * i, sizeof p);
+        if (i == 77 || i == 78) {
+            assert_true(isinf(d[i]) && d[i] > 0 && n[i] == SIL_NONE);
+            continue;
+        }
+        for (k = 0; k < count; ++k) {
+            const long double at =
+                true_distance(p, torus.positions + 3 * edges[k].a, torus.positions + 3 * edges[k].b, identity9, 0);
+            best = at < best ? at : best;
+        }
+        size = best > 2 ? best : 2;
+        if (best < 3.4e38L) /* a diagonal may be longer than a float holds: infinite then */
+            worst = fmax(worst, (double)(fabsl((long double)d[i] - best) / size));
+    }
+    print_message("distances at points: worst error %.3g\n", worst);
+    assert_true(worst < 1e-6);
+    before = d[0];
+    memset(&desc, 0, sizeof desc);
+    desc.flags = SIL_DISTANCE_INFINITE_LINE;
+    assert_int_equal(sil_edge_tree_build(tree, NULL, edges, count, &desc), SIL_INVALID_ARGUMENT);
+    assert_int_equal(sil_distances_at(tree, torus.positions, 0, 1, d, n), SIL_INVALID_ARGUMENT); /* nothing old stays */
+    assert_true(d[0] <= before && d[0] >= before);
+    assert_int_equal(sil_edge_tree_build(tree, NULL, NULL, 0, NULL), SIL_OK);
+    assert_int_equal(sil_distances_at(tree, torus.positions, 0, 1, d, n), SIL_OK);
+    assert_true(isinf(d[0]) && n[0] == SIL_NONE);
+    assert_int_equal(sil_distances_at(tree, torus.positions, 4, 1, d, n), SIL_INVALID_ARGUMENT);
+    assert_int_equal(sil_distances_by_tree(tree, 0, torus.vertex_count + 1, d, n), SIL_INVALID_ARGUMENT);
+    assert_int_equal(sil_distances_by_tree(NULL, 0, 0, d, n), SIL_INVALID_ARGUMENT);
+    assert_int_equal(sil_edge_tree_build(NULL, NULL, NULL, 0, NULL), SIL_INVALID_ARGUMENT);
+    assert_int_equal(sil_edge_tree_reserve(NULL, 1), SIL_INVALID_ARGUMENT);
+    assert_null(sil_edge_tree_create(NULL, NULL));
+    assert_int_equal(sil_edge_tree_bytes(NULL), 0);
+    sil_edge_tree_destroy(tree);
+    sil_edge_tree_destroy(NULL);
+    free(bytes);
+    free(edges);
+    sil_mesh_destroy(mesh);
+    shape_free(&torus);
+}
+
 /* ---- ribbons ---- */
 
 enum { SCREEN = 96, POINTS = 12 };
@@ -2142,6 +2322,7 @@ static void test_every_allocation_may_fail(void **state) {
             sil_result result;
             sil_mesh *mesh;
             sil_pose *pose;
+            sil_edge_tree *tree;
             int failed = 0;
             c.fail_at = fail;
             desc.weld_distance = (float)weld * 0.01f;
@@ -2170,6 +2351,15 @@ static void test_every_allocation_may_fail(void **state) {
                     failed |= result != SIL_OK;
                     (void)sil_chain(mesh, NULL, edges, count, NULL, 0, NULL, 0, &needed);
                     failed |= needed == SIZE_MAX;
+                    tree = sil_edge_tree_create(mesh, &result);
+                    assert_int_equal(result, tree ? SIL_OK : SIL_OUT_OF_MEMORY);
+                    failed |= !tree;
+                    if (tree) {
+                        result = sil_edge_tree_build(tree, pose, edges, count, NULL);
+                        assert_true(result == SIL_OK || result == SIL_OUT_OF_MEMORY);
+                        failed |= result != SIL_OK;
+                    }
+                    sil_edge_tree_destroy(tree);
                 }
                 sil_pose_destroy(pose);
             }
@@ -2197,6 +2387,7 @@ static void test_steady_frames_allocate_nothing(void **state) {
     static uint32_t vertices[4000];
     static float distances[240];
     sil_ribbon_desc ribbon = screen_desc();
+    sil_edge_tree *tree;
     size_t before, frame;
     (void)state;
     desc.allocator.alloc_fn = counting_alloc;
@@ -2206,6 +2397,8 @@ static void test_steady_frames_allocate_nothing(void **state) {
     pose = sil_pose_create(mesh, NULL);
     assert_int_equal(sil_pose_set(pose, torus.positions, 0), SIL_OK);
     assert_int_equal(sil_pose_reserve(pose, SIZE_MAX), SIL_OK);
+    tree = sil_edge_tree_create(mesh, NULL);
+    assert_int_equal(sil_edge_tree_reserve(tree, SIZE_MAX), SIL_OK);
     before = c.calls;
     for (frame = 0; frame < 50; ++frame) {
         const sil_view view = grid_view((int)frame);
@@ -2215,9 +2408,12 @@ static void test_steady_frames_allocate_nothing(void **state) {
         strip_count = sil_chain(mesh, pose, edges, count, strips, 2000, vertices, 4000, &needed);
         assert_true(count <= 2000 && strip_count <= 2000 && needed <= 4000);
         assert_int_equal(sil_distances(mesh, pose, edges, count, NULL, 0, torus.vertex_count, distances, NULL), SIL_OK);
+        assert_int_equal(sil_edge_tree_build(tree, pose, edges, count, NULL), SIL_OK);
+        assert_int_equal(sil_distances_by_tree(tree, 0, torus.vertex_count, distances, NULL), SIL_OK);
         assert_true(sil_ribbons(mesh, pose, strips, strip_count, vertices, &ribbon, NULL, 0) % 3 == 0);
     }
     assert_int_equal(c.calls, before);
+    sil_edge_tree_destroy(tree);
     sil_pose_destroy(pose);
     sil_mesh_destroy(mesh);
     assert_int_equal(c.live, 0);
@@ -2340,6 +2536,8 @@ int main(void) {
         cmocka_unit_test(test_view_from_matrices),
         cmocka_unit_test(test_distances),
         cmocka_unit_test(test_distance_rules),
+        cmocka_unit_test(test_distance_tree),
+        cmocka_unit_test(test_distances_at),
         cmocka_unit_test(test_ribbon_pixels),
         cmocka_unit_test(test_ribbon_clipping),
         cmocka_unit_test(test_ribbon_values),

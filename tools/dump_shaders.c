@@ -30,9 +30,7 @@ static bool dump(const char *folder, const char *name, int version, bool reverse
         perror(path);
         return false;
     }
-    const char *rest = strchr(source->strings[0], '\n') + 1; /* the version's line gives way */
-    fputs(versions[version].first_line, file);
-    fputs(rest, file);
+    fputs(versions[version].first_line, file); /* in the place of strings[0] */
     for (int i = 1; i < source->count; ++i)
         fputs(source->strings[i], file);
     fputs(host_main, file);
