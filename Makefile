@@ -26,7 +26,8 @@ flags := -std=c11 $(flags_$(config)) $(warnings) $(CFLAGS)
 includes := -I. -Iexamples -isystem build/glad/include
 # For programs that are compiled and linked in one go; objects need no names.
 depends = -MMD -MP -MT $@ -MF $@.d
-libraries := -Wl,--as-needed -lcmocka -lassimp -lEGL -lm
+program_libraries := -lassimp -lEGL -lm
+libraries := -Wl,--as-needed -lcmocka $(program_libraries)
 ifeq ($(flags_$(config)),)
 $(error config=$(config) is not one of release, debug, asan)
 endif
@@ -71,7 +72,7 @@ check-generated: build/embed_shaders ## fail if a header is not what `make shade
 check-shaders: build/dump_shaders ## validate the text of every shader stage for every GLSL version
 	@tools/check_shaders build/dump_shaders build/shaders
 
-headers-alone: ## compile each header by itself: C and C++, seven compilers, all include orders
+headers-alone: ## compile each header by itself: C and C++ by gcc, clang, tcc and mingw, all include orders
 	@tests/compile/headers_alone build/compile
 
 sanitize: build/embed_shaders ## unit, mock and GL tests under AddressSanitizer and UndefinedBehaviorSanitizer
@@ -112,13 +113,16 @@ clean: ## remove build/
 
 run-tests: $(unit_tests) $(mock_tests) $(gl_tests) build/illustrate build/embed_shaders $(glad)
 	@tools/run_suites $(unit_tests) $(mock_tests) $(gl_tests) \
+	    'env GALLIUM_DRIVER=softpipe GLASSINE_MAX_GL=330 build/tests/gl_hosts' \
+	    'env GALLIUM_DRIVER=softpipe GLASSINE_MAX_GL=330 build/tests/gl_transparency' \
 	    'tests/compile/headers_alone build/compile' 'build/embed_shaders . --check' \
 	    'tests/compile/quick_starts build/quick_starts' 'tests/compile/minimal_examples build/minimal' \
 	    'tests/compile/exports build/exports' 'sh tests/test_illustrate.sh'
 
 # What a GL driver leaks is not ours to mend.
-run-sanitized: $(unit_tests) $(mock_tests) $(gl_tests)
-	@tools/run_suites $(unit_tests) $(mock_tests) $(patsubst %,'env ASAN_OPTIONS=detect_leaks=0 %',$(gl_tests))
+run-sanitized: $(unit_tests) $(mock_tests) $(gl_tests) $(out)/illustrate
+	@tools/run_suites $(unit_tests) $(mock_tests) $(patsubst %,'env ASAN_OPTIONS=detect_leaks=0 %',$(gl_tests)) \
+	    'env ASAN_OPTIONS=detect_leaks=0 sh tests/test_illustrate.sh $(out)/illustrate $(out)/test_illustrate'
 
 $(glad):
 	@mkdir -p build
@@ -136,7 +140,7 @@ $(out)/libexamples.a: $(example_modules:%=$(out)/examples/%.o)
 	$(call say,AR      $@)$(AR) rcs $@ $^
 
 $(out)/illustrate: $(out)/examples/illustrate.o $(out)/libexamples.a
-	$(call say,LINK    $@)$(CC) $(flags) $^ $(libraries) -o $@
+	$(call say,LINK    $@)$(CC) $(flags) $^ $(program_libraries) -o $@
 
 $(out)/tests/%: tests/%.c $(out)/libexamples.a | $(glad)
 	@mkdir -p $(@D)

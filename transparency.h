@@ -1295,7 +1295,9 @@ TR_I_API tr_result tr_plan_make(const tr_scene *counts, const tr_wishes *wishes,
     else if (transparent && wishes->interior == TR_INTERIOR_IMPLICIT_PUBLISHED)
         tr_i_add_limit(plan, counts, wishes, alone); /* published: back faces hide front faces too */
     tr_i_add_surfaces(plan, TR_PASS_OPAQUE, TR_RULE_OPAQUE, counts->opaque, counts->opaque_two_sided, TR_OPAQUE,
-                      "opaque objects before the limit");
+                      plan->pass_count > 0 && plan->passes[plan->pass_count - 1].kind == TR_PASS_LIMIT
+                          ? "opaque objects before the limit"
+                          : "opaque objects");
     if (opaque && wishes->lines) {
         tr_i_add_pass(plan, TR_PASS_COPY_DEPTH, "opaque lines read the depth that they write");
         tr_i_add_lines(plan, TR_PASS_OPAQUE_LINES, wishes->lines, TR_I_ALL_OPAQUE);
@@ -1303,7 +1305,9 @@ TR_I_API tr_result tr_plan_make(const tr_scene *counts, const tr_wishes *wishes,
     if (transparent)
         tr_i_add_surfaces(plan, TR_PASS_BLENDED, alone ? TR_RULE_BLENDED_ALONE : TR_RULE_BLENDED, counts->transparent,
                           counts->transparent_two_sided, TR_TRANSPARENT, "the front-most transparent face");
-    tr_i_add_pass(plan, TR_PASS_COMPOSE, "the layer over what is behind it, into the target");
+    tr_i_add_pass(plan, TR_PASS_COMPOSE,
+                  transparent ? "the transparent layer over what is behind it, into the target"
+                              : "opaque objects into the target");
     if (transparent)
         tr_i_add_lines(plan, TR_PASS_TRANSPARENT_LINES, wishes->lines, TR_I_ALL_TRANSPARENT);
     tr_i_plan_textures(plan);

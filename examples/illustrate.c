@@ -33,8 +33,9 @@ static const char HELP[] =
     "Several make one scene; the parts of each file then have its name in front of theirs.\n"
     "\n"
     "  -o, --output OUT.png     where the picture goes; written whole or not at all\n"
-    "  --style STYLE            auto (default): parts that enclose others become transparent;\n"
-    "                           hodges: the same by Hodges' rules; lines: lines alone; opaque: nothing transparent\n"
+    "  --style STYLE            auto (default): hodges where something is or can be transparent, else opaque;\n"
+    "                           hodges: parts that enclose others, or are see-through in the file, are transparent by\n"
+    "                           Hodges' rules; lines: ink on paper, hidden lines left out; opaque: nothing transparent\n"
     "  --size WxH               pixels, 1x1 to 16384x16384; default 1024x768\n"
     "  --view AZIMUTH,ELEVATION degrees; 0,0 looks at the front, 90,0 at the right side; default 30,20\n"
     "  --ortho                  parallel lines stay parallel\n"
@@ -50,7 +51,8 @@ static const char HELP[] =
     "  --k K                    how fast transparent surfaces clear away from their silhouettes (exponent)\n"
     "  --blend BLEND            over (default), normalised or published; the last two weigh what is behind\n"
     "  --weights OPAQUE,BACKGROUND\n"
-    "                           how much of what is behind shines through, 0 to 1 each\n"
+    "                           how much of what is behind shines through, 0 to 1 each; for --blend normalised and\n"
+    "                           published\n"
     "  --interior HOW           auto (default): explicit where transparent parts have inner walls, else implicit;\n"
     "                           implicit; explicit; published: implicit as in the paper, faults included\n"
     "  --quality N              samples per pixel along each axis, 1 to 8; default 3\n"
@@ -659,6 +661,8 @@ static scene *load_models(const options *o, int *result) {
         if (!all || !scene_merge(all, s, built_in || o->model_count == 1 ? NULL : stem))
             *result = failed("out of memory");
     }
+    if (*result == DONE && !scene_center_meshes(all))
+        *result = failed("out of memory");
     if (*result == DONE)
         return all;
     scene_destroy(all);

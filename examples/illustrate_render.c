@@ -22,7 +22,7 @@
 #define TRANSPARENCY_IMPLEMENTATION
 #include "transparency.h"
 
-enum { TILE = 2048, MARGIN = 16 }; /* drawn pixels; the margin keeps lines whole across tile borders */
+enum { TILE = 2048 }; /* drawn pixels */
 
 /* One mesh on the GPU and as silhouette.h knows it. Parts that are transparent have one of their own, finely divided. */
 typedef struct surface {
@@ -33,7 +33,7 @@ typedef struct surface {
     sil_mesh *mesh;
     GLuint buffer, index_buffer; /* positions, normals, colours one after the other */
     bool sheet, inward;
-    double volume, box_volume; /* enclosed; of the bounding box */
+    double box_volume; /* of the bounding box */
 } surface;
 
 typedef struct figure {
@@ -62,7 +62,7 @@ typedef struct renderer {
     tr_context *tr;
     tr_interior interior;
     GLuint framebuffer, color, depth;
-    int tile_width, tile_height;
+    int tile_width, tile_height, margin; /* of tiles, around what is kept of them: lines are whole across borders */
     double pass_ms[TR_MAX_PASSES], cpu_ms;
 } renderer;
 
@@ -158,7 +158,6 @@ static void classify_surface(surface *s) {
     s->sheet =
         !(open <= 0.02 * total) || sil_mesh_get_info(s->mesh).flipped_edge_count > 0 || !(fabs(volume) > 1e-6 * box);
     s->inward = !s->sheet && volume < 0;
-    s->volume = fabs(volume);
     s->box_volume = box;
 }
 
@@ -166,6 +165,7 @@ static bool find_edges_of(renderer *r, surface *s) {
     sil_mesh_desc desc;
     sil_result result;
     memset(&desc, 0, sizeof desc);
+    desc.crease_degrees = SCENE_CREASE_DEGREES; /* no line where the shading is smooth */
     desc.positions = s->positions;
     desc.vertex_count = s->vertex_count;
     desc.indices = s->indices;
@@ -290,24 +290,23 @@ static bool measure_boxes(const scene *s, boxes *b) {
     return b->low && b->high;
 }
 
-/* One byte a part: transparent or not. Where neither the job nor the file says so, parts that enclose others are. */
+/* One byte a part: transparent or not. Where the file has no transparent part, parts that enclose others are; what the
+ * job says of a part overrules that. */
 static unsigned char *choose_transparent(renderer *r) {
     const scene *s = r->job->scene;
     unsigned char *transparent = calloc(s->part_count + 1, 1);
     boxes b = {NULL, NULL};
-    bool any = false, ok = transparent && measure_boxes(s, &b);
+    bool file_says = false, ok = transparent && measure_boxes(s, &b);
     bool hodges = r->job->style == STYLE_AUTO || r->job->style == STYLE_HODGES;
     for (size_t i = 0; ok && hodges && i < s->part_count; ++i) {
-        int asked = r->job->transparent ? r->job->transparent[i] : PART_AUTO;
-        transparent[i] =
-            !s->parts[i].hidden && (asked == PART_TRANSPARENT || (asked == PART_AUTO && s->parts[i].opacity < 1.0f));
-        any = any || transparent[i];
+        transparent[i] = !s->parts[i].hidden && s->parts[i].opacity < 1.0f;
+        file_says = file_says || transparent[i];
     }
-    if (ok && hodges && !any)
+    if (ok && hodges && !file_says)
         find_enclosing(s, &b, transparent);
     for (size_t i = 0; ok && r->job->transparent && i < s->part_count; ++i)
-        if (r->job->transparent[i] == PART_OPAQUE)
-            transparent[i] = 0;
+        if (r->job->transparent[i] != PART_AUTO)
+            transparent[i] = hodges && !s->parts[i].hidden && r->job->transparent[i] == PART_TRANSPARENT;
     if (ok)
         keep_outermost(r, &b, transparent);
     free(b.low);
@@ -463,6 +462,7 @@ static bool make_camera(renderer *r) {
     for (int k = 0; k < 2; ++k) {
         middle[k] = 0.5 * (e.low[k] + e.high[k]);
         half[k] = 0.5 * (e.high[k] - e.low[k]) * 1.09 + 1e-6 * (job->ortho ? radius : 1);
+        half[k] *= 1 + 2 * (double)job->line_width / (k ? job->height : job->width);
     }
     half[1] = fmax(half[1], half[0] / aspect);
     half[0] = half[1] * aspect;
@@ -687,9 +687,10 @@ static bool make_target(renderer *r) {
     int quality = r->job->quality;
     int wide = r->job->width * quality, tall = r->job->height * quality;
     /* Whole pixels of the result in a tile, so that tiles are averaged on their own. */
-    int most = (TILE - 2 * MARGIN) / quality * quality;
-    r->tile_width = (wide < most ? wide : most) + 2 * MARGIN;
-    r->tile_height = (tall < most ? tall : most) + 2 * MARGIN;
+    int most = TILE / quality * quality;
+    r->margin = 16 + (int)(0.5f * r->job->line_width * (float)quality);
+    r->tile_width = (wide < most ? wide : most) + 2 * r->margin;
+    r->tile_height = (tall < most ? tall : most) + 2 * r->margin;
     glGenTextures(1, &r->color);
     glBindTexture(GL_TEXTURE_2D, r->color);
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, r->tile_width, r->tile_height, 0, GL_RGBA, GL_UNSIGNED_BYTE, NULL);
@@ -725,6 +726,8 @@ static bool upload_lines(renderer *r, figure *f, const double projection[16]) {
     const sil_mesh *mesh = r->surfaces[f->part->mesh].mesh;
     sil_ribbon_desc desc;
     size_t creases, all;
+    if (!f->strips) /* a flattened part */
+        return true;
     memset(&desc, 0, sizeof desc);
     to_float(f->model_view, desc.model_view);
     to_float(projection, desc.projection);
@@ -749,6 +752,10 @@ static bool upload_lines(renderer *r, figure *f, const double projection[16]) {
     return true;
 }
 
+static bool is_dark(const float background[4]) {
+    return background[3] >= 1.0f && 0.3f * background[0] + 0.6f * background[1] + 0.1f * background[2] < 0.4f;
+}
+
 static tr_frame make_frame(const renderer *r) {
     const illustrate_job *job = r->job;
     static const tr_blending blendings[] = {TR_BLENDING_OVER, TR_BLENDING_NORMALISED, TR_BLENDING_PUBLISHED};
@@ -768,6 +775,11 @@ static tr_frame make_frame(const renderer *r) {
                                                             : 0.0f;
     frame.flat_shading = r->style == STYLE_LINES || job->shade == SHADE_FLAT;
     frame.black_creases = r->style == STYLE_LINES;
+    if (r->style == STYLE_LINES && is_dark(job->background)) { /* chalk on a blackboard */
+        for (int k = 0; k < 3; ++k)
+            frame.outline_color[k] = 1.0f;
+        frame.black_creases = 0;
+    }
     return frame;
 }
 
@@ -781,7 +793,9 @@ static void draw_surface(renderer *r, const tr_pass *pass, const figure *f, cons
     to_float(mvp, material.model_view_projection);
     normal_matrix(f->model_view, material.normal_matrix);
     for (int k = 0; k < 3; ++k)
-        material.color[k] = paper ? r->job->background[k] : s->colors ? 0.0f : f->part->color[k];
+        material.color[k] = paper       ? (r->job->background[3] < 1.0f ? 1.0f : r->job->background[k])
+                            : s->colors ? 0.0f
+                                        : f->part->color[k];
     material.color[3] = 1.0f;
     material.d_max = f->d_max;
     material.k = (float)wanted_k(r);
@@ -829,7 +843,7 @@ static bool draw_tile(renderer *r, int x, int y, const float background[3]) {
     tr_pass pass;
     double projection[16], since;
     int index = 0;
-    tile_projection(r, x - MARGIN, y - MARGIN, projection);
+    tile_projection(r, x - r->margin, y - r->margin, projection);
     for (size_t i = 0; i < r->figure_count; ++i)
         if (!upload_lines(r, &r->figures[i], projection))
             return false;
@@ -861,15 +875,15 @@ static bool draw_tile(renderer *r, int x, int y, const float background[3]) {
 
 /* Averages quality x quality drawn pixels into each pixel of the picture; rows run down in it. */
 static void average_tile(const renderer *r, const unsigned char *drawn, int x, int y, float *picture) {
-    int q = r->job->quality, inner_width = r->tile_width - 2 * MARGIN, inner_height = r->tile_height - 2 * MARGIN;
+    int q = r->job->quality, inner_width = r->tile_width - 2 * r->margin, inner_height = r->tile_height - 2 * r->margin;
     for (int py = 0; py < inner_height / q && y / q + py < r->job->height; ++py) {
         float *row = picture + (size_t)(r->job->height - 1 - (y / q + py)) * (size_t)r->job->width * 3;
         for (int px = 0; px < inner_width / q && x / q + px < r->job->width; ++px) {
             int sum[3] = {0, 0, 0};
             for (int sy = 0; sy < q; ++sy)
                 for (int sx = 0; sx < q; ++sx) {
-                    const unsigned char *p = drawn + 4 * ((size_t)(MARGIN + py * q + sy) * (size_t)r->tile_width +
-                                                          (size_t)(MARGIN + px * q + sx));
+                    const unsigned char *p = drawn + 4 * ((size_t)(r->margin + py * q + sy) * (size_t)r->tile_width +
+                                                          (size_t)(r->margin + px * q + sx));
                     for (int k = 0; k < 3; ++k)
                         sum[k] += p[k];
                 }
@@ -881,7 +895,7 @@ static void average_tile(const renderer *r, const unsigned char *drawn, int x, i
 
 static bool draw_picture(renderer *r, const float background[3], float *picture) {
     int wide = r->job->width * r->job->quality, tall = r->job->height * r->job->quality;
-    int step_x = r->tile_width - 2 * MARGIN, step_y = r->tile_height - 2 * MARGIN, done = 0;
+    int step_x = r->tile_width - 2 * r->margin, step_y = r->tile_height - 2 * r->margin, done = 0;
     int tiles = ((wide + step_x - 1) / step_x) * ((tall + step_y - 1) / step_y);
     unsigned char *drawn = malloc((size_t)r->tile_width * (size_t)r->tile_height * 4);
     bool ok = drawn ? true : no_memory(r);
@@ -962,15 +976,33 @@ static void put(text *t, const char *format, ...) {
     va_end(again);
 }
 
+/* The bytes of the character at `at` if it is whole UTF-8, else 0. */
+static int utf8_length(const char *at) {
+    unsigned char first = (unsigned char)*at;
+    int length = first < 0x80 ? 1 : first < 0xC2 ? 0 : first < 0xE0 ? 2 : first < 0xF0 ? 3 : first < 0xF5 ? 4 : 0;
+    for (int i = 1; i < length; ++i)
+        if (((unsigned char)at[i] & 0xC0) != 0x80)
+            return 0;
+    /* Overlong forms, surrogates, and what is beyond the last character. */
+    unsigned char second = length > 2 ? (unsigned char)at[1] : 0;
+    if ((first == 0xE0 && second < 0xA0) || (first == 0xED && second > 0x9F) || (first == 0xF0 && second < 0x90) ||
+        (first == 0xF4 && second > 0x8F))
+        return 0;
+    return length;
+}
+
+/* As JSON has it; bytes that are no UTF-8 are taken for Latin-1. */
 static void put_string(text *t, const char *string) {
     put(t, "\"");
-    for (; *string; ++string) {
+    while (*string) {
+        int length = utf8_length(string);
         if (*string == '"' || *string == '\\')
             put(t, "\\%c", *string);
-        else if ((unsigned char)*string < 32)
+        else if (length == 0 || (unsigned char)*string < 32)
             put(t, "\\u%04x", (unsigned)(unsigned char)*string);
         else
-            put(t, "%c", *string);
+            put(t, "%.*s", length, string);
+        string += length ? length : 1;
     }
     put(t, "\"");
 }
@@ -1016,7 +1048,73 @@ static void explain(renderer *r) {
 
 /* ---- the whole ------------------------------------------------------------------------------------------------- */
 
-/* Inner walls are modelled where a closed transparent part fills little of its own box; the larger parts decide. */
+/* Where the ray from `start` along `direction` meets a triangle, as a multiple of direction; infinite where it does not. */
+static double meet_triangle(const surface *s, size_t triangle, const double start[3], const double direction[3]) {
+    const uint32_t *v = s->indices + 3 * triangle;
+    double e[2][3], o[3], p[3], q[3], det = 0, u = 0, w = 0, t = 0;
+    for (int k = 0; k < 3; ++k) {
+        double corner = (double)s->positions[3 * v[0] + (size_t)k];
+        e[0][k] = (double)s->positions[3 * v[1] + (size_t)k] - corner;
+        e[1][k] = (double)s->positions[3 * v[2] + (size_t)k] - corner;
+        o[k] = start[k] - corner;
+    }
+    for (int k = 0; k < 3; ++k) {
+        int a = (k + 1) % 3, b = (k + 2) % 3;
+        p[k] = direction[a] * e[1][b] - direction[b] * e[1][a];
+        q[k] = o[a] * e[0][b] - o[b] * e[0][a];
+    }
+    for (int k = 0; k < 3; ++k) {
+        det += e[0][k] * p[k];
+        u += o[k] * p[k];
+        w += direction[k] * q[k];
+        t += e[1][k] * q[k];
+    }
+    if (det == 0 || u / det < 0 || w / det < 0 || (u + w) / det > 1)
+        return HUGE_VAL;
+    return t / det;
+}
+
+/* How thick the surface is behind one of its triangles, as a share of its size; infinite where nothing is behind. */
+static double thickness_behind(const surface *s, size_t triangle, double size) {
+    const uint32_t *v = s->indices + 3 * triangle;
+    double middle[3] = {0, 0, 0}, e[2][3], inward[3], length = 0, nearest = HUGE_VAL;
+    for (int k = 0; k < 3; ++k) {
+        for (int c = 0; c < 3; ++c)
+            middle[k] += (double)s->positions[3 * v[c] + (size_t)k] / 3;
+        e[0][k] = (double)s->positions[3 * v[1] + (size_t)k] - (double)s->positions[3 * v[0] + (size_t)k];
+        e[1][k] = (double)s->positions[3 * v[2] + (size_t)k] - (double)s->positions[3 * v[0] + (size_t)k];
+    }
+    for (int k = 0; k < 3; ++k) {
+        int a = (k + 1) % 3, b = (k + 2) % 3;
+        inward[k] = (s->inward ? 1 : -1) * (e[0][a] * e[1][b] - e[0][b] * e[1][a]);
+        length += inward[k] * inward[k];
+    }
+    for (int k = 0; k < 3; ++k)
+        inward[k] *= length > 0 ? size / sqrt(length) : 0;
+    for (size_t t = 0; 3 * t + 2 < s->index_count; ++t) {
+        double at = t == triangle ? HUGE_VAL : meet_triangle(s, t, middle, inward);
+        if (at > 1e-6 && at < nearest)
+            nearest = at;
+    }
+    return nearest;
+}
+
+/* Whether inner walls are modelled: most of the surface has its other side close behind it. */
+static bool is_thin_walled(const surface *s) {
+    size_t triangles = s->index_count / 3, step = triangles / 48 + 1, tried = 0, thin = 0;
+    double low[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, high[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}, size = 0;
+    for (size_t i = 0; i < 3 * s->vertex_count; ++i) {
+        low[i % 3] = fmin(low[i % 3], (double)s->positions[i]);
+        high[i % 3] = fmax(high[i % 3], (double)s->positions[i]);
+    }
+    for (int k = 0; k < 3; ++k)
+        size += (high[k] - low[k]) * (high[k] - low[k]);
+    for (size_t t = step / 2; t < triangles; t += step, ++tried)
+        thin += thickness_behind(s, t, sqrt(size)) < 0.1;
+    return 2 * thin > tried;
+}
+
+/* Explicit where the transparent parts are thin-walled; the larger ones decide. */
 static tr_interior choose_interior(const renderer *r) {
     double hollow = 0, solid = 0;
     if (r->job->interior != INTERIOR_AUTO)
@@ -1026,7 +1124,7 @@ static tr_interior choose_interior(const renderer *r) {
     for (size_t i = 0; i < r->figure_count; ++i) {
         const surface *s = &r->surfaces[r->figures[i].part->mesh];
         if ((r->figures[i].object.flags & TR_TRANSPARENT) && !s->sheet) {
-            if (s->volume < 0.35 * s->box_volume)
+            if (is_thin_walled(s))
                 hollow += s->box_volume;
             else
                 solid += s->box_volume;

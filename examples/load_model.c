@@ -42,7 +42,6 @@
 #endif
 
 /* Sharper than this, an edge keeps two normals where the file has none. */
-static const double CREASE_DEGREES = 35;
 
 /* Larger files are refused: what they would need is beyond an illustration. */
 static const long long LARGEST_FILE = 4LL << 30;
@@ -718,7 +717,7 @@ static bool fill_mesh(import *in, struct aiMesh *mesh, surface *s, scene_mesh *o
     if (ok && out->colors)
         average_color(out, s->color);
     if (ok)
-        ok = own_normals ? scene_mesh_share_vertices(out) : scene_mesh_make_normals(out, CREASE_DEGREES);
+        ok = own_normals ? scene_mesh_share_vertices(out) : scene_mesh_make_normals(out, SCENE_CREASE_DEGREES);
     return ok;
 }
 

@@ -204,6 +204,37 @@ static void transform_point(const double m[16], const float p[3], double out[3])
         out[row] = m[row] * (double)p[0] + m[4 + row] * (double)p[1] + m[8 + row] * (double)p[2] + m[12 + row];
 }
 
+/* Moves a mesh to its middle; where that was. */
+static void center_mesh(scene_mesh *mesh, double middle[3]) {
+    double low[3] = {0, 0, 0}, high[3] = {0, 0, 0};
+    for (size_t i = 0; i < 3 * mesh->vertex_count; i++) {
+        size_t k = i % 3;
+        double x = (double)mesh->positions[i];
+        low[k] = i < 3 || x < low[k] ? x : low[k];
+        high[k] = i < 3 || x > high[k] ? x : high[k];
+    }
+    for (size_t k = 0; k < 3; k++)
+        middle[k] = 0.5 * low[k] + 0.5 * high[k];
+    for (size_t i = 0; i < 3 * mesh->vertex_count; i++)
+        mesh->positions[i] = (float)((double)mesh->positions[i] - middle[i % 3]);
+}
+
+bool scene_center_meshes(scene *s) {
+    double(*middles)[3] = malloc((s->mesh_count + 1) * sizeof *middles);
+    if (!middles)
+        return false;
+    for (size_t i = 0; i < s->mesh_count; i++)
+        center_mesh(&s->meshes[i], middles[i]);
+    for (size_t i = 0; i < s->part_count; i++) {
+        double shift[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}, moved[16];
+        memcpy(shift + 12, middles[s->parts[i].mesh], sizeof middles[0]);
+        scene_multiply(s->parts[i].transform, shift, moved);
+        memcpy(s->parts[i].transform, moved, sizeof moved);
+    }
+    free(middles);
+    return true;
+}
+
 bool scene_bounds(const scene *s, double low[3], double high[3]) {
     for (size_t axis = 0; axis < 3; axis++) {
         low[axis] = (double)INFINITY;

@@ -36,6 +36,9 @@ typedef struct scene {
     size_t name_slot_count;
 } scene;
 
+/* Below this angle two faces are shaded as one smooth surface, and no crease is drawn between them. */
+#define SCENE_CREASE_DEGREES 35
+
 scene *scene_create(void);    /* NULL: out of memory */
 void scene_destroy(scene *s); /* NULL is fine */
 
@@ -65,6 +68,10 @@ size_t scene_weld(const float *positions, size_t vertex_count, uint32_t *places)
 /* Whether each edge has two triangles that run along it in opposite directions, after welding equal positions.
  * signed_volume (may be NULL) is positive where the triangles face outward. */
 bool scene_mesh_closed(const scene_mesh *mesh, double *signed_volume);
+
+/* Moves the origin of each mesh to the middle of its box, and the parts back by their transforms, which are in double:
+ * a scene far from its origin is then drawn like one at it. False: out of memory, nothing moved. */
+bool scene_center_meshes(scene *s);
 
 /* The box around all parts that are not hidden, in world coordinates; false where there are none. */
 bool scene_bounds(const scene *s, double low[3], double high[3]);

@@ -405,7 +405,10 @@ for extra in '--style hodges' '--style lines' '--style opaque' '--lines all:3' '
 done
 run model:mug --size 64x48 --explain -o out/picture.png
 check '--explain' [ "$status" -eq 0 ]
-check '--explain writes JSON' sh -c 'head -c 1 stdout | grep -q "{" && tail -n 1 stdout | grep -q "}$"'
+check '--explain writes JSON' python3 -m json.tool stdout parsed
+printf 'o caf\351 "\\"\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >in/latin1.obj
+run in/latin1.obj --transparent '*' --size 16x16 --explain -o out/picture.png
+check '--explain writes JSON for any name' python3 -m json.tool stdout parsed
 rm -f out/*
 run model:mug --size 64x48 --verbose -o out/picture.png
 check '--verbose says by which platform' grep -q 'platform' stderr
@@ -422,6 +425,52 @@ check 'and what it points to is the picture' cmp -s out/picture.png before.png
 rm -f out/*
 run model:mug --size 16x16 -o /dev/null
 check 'a device stays a device' [ "$status" -eq 0 -a -c /dev/null ]
+
+# ---- options that change the picture, and scenes that do not -------------------------------------------------
+
+# differs ARGUMENTS...: from the picture of model:crank by itself
+run model:crank --size 96x72 -o plain.png
+differs() {
+    run model:crank --size 96x72 -o other.png "$@"
+    check "another picture by $*" sh -c '! cmp -s plain.png other.png'
+}
+differs --k 2
+differs --blend normalised
+differs --blend normalised --weights 0.2,0.9
+differs --interior explicit
+differs --shade flat
+differs --lines none
+differs --lines silhouettes:3
+differs --ortho
+differs --view 80,5
+differs --quality 1
+differs --style lines
+differs --style opaque
+differs --background 808080
+differs --opaque cylinder
+differs --hide shaft
+differs --transparent shaft
+
+# A box around a pyramid, all coordinates small whole numbers plus the offset: exact in floats.
+box_at() {
+    awk -v o="$1" 'BEGIN {
+        split("0 0 0 4 0 0 4 4 0 0 4 0 0 0 4 4 0 4 4 4 4 0 4 4 1 1 1 3 1 1 3 3 1 1 3 1 2 2 3", c, " ")
+        print "o case"
+        for (i = 1; i <= 13; i++) printf "v %d %d %d\n", c[3*i-2] + o, c[3*i-1] + o, c[3*i] + o
+        print "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8"
+        print "o core\nf 9 12 11 10\nf 9 10 13\nf 10 11 13\nf 11 12 13\nf 12 9 13"
+    }'
+}
+mkdir -p near_here far_away
+box_at 0 >near_here/box.obj
+box_at 1000000 >far_away/box.obj
+run near_here/box.obj --size 160x120 -o near.png
+run far_away/box.obj --size 160x120 -o far.png
+check 'a scene a million units away looks the same' cmp -s near.png far.png
+run near_here/box.obj --size 160x120 --explain -o near.png
+check 'what encloses something is transparent' grep -q '"transparent": \["case"\]' stdout
+run near_here/box.obj --size 160x120 --explain --transparent core -o near.png
+check 'and stays so when another part is asked for' grep -q '"transparent": \["case", "core"\]' stdout
 
 # ---- every model ---------------------------------------------------------------------------------------------
 
