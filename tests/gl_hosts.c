@@ -366,7 +366,7 @@ static void expect(int x, int y, double r, double g, double b) {
 
 /* Seen square on: the glass (alpha 0.5, colour 0.8 0 0) spans pixels 18 to 78 at window depths 0.41 to 0.59, the opaque
  * box (0 0.8 0) pixels 37 to 67 by its size 0.4 and shift 0.1, at 0.44 to 0.52; the background is 0.5 grey. */
-enum { OUTSIDE = 8, GLASS = 26, CORE = 50, LINE_Y = 48 };
+enum { OUTSIDE = 8, GLASS = 26, CORE = 50, NEAR_EDGE = 72, LINE_Y = 48 };
 
 /* Lines of the opaque box. */
 static void check_opaque_lines(harness *h) {
@@ -412,6 +412,7 @@ static void check_transparent_lines(harness *h) {
     upload_bar(LINE_Y, 0.4101f); /* a little behind its front: within the tolerance of two pixels, 2e-4 here */
     draw_with_bar(h, 1, TR_LINES_OUTLINES);
     expect(GLASS, LINE_Y, 1, 0, 0);
+    expect(NEAR_EDGE, LINE_Y, 1, 0, 0);
 
     upload_bar(LINE_Y, 0.5f); /* behind its front: faces of transparent objects never shine through */
     draw_with_bar(h, 1, TR_LINES_OUTLINES);

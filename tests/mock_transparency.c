@@ -33,7 +33,8 @@ static struct {
     uint32_t attachments[256][2]; /* colour and depth texture of a framebuffer */
     int active_unit;
     uint32_t unit_textures[32];
-    char text[4096]; /* all that was logged */
+    unsigned char switched_off[0x10000]; /* by name of the switch */
+    char text[4096];                     /* all that was logged */
 } driver;
 
 enum { TEXTURES, FRAMEBUFFERS, BUFFERS, ARRAYS, SHADERS, PROGRAMS };
@@ -122,7 +123,7 @@ FAKE(GetDoublev, (U a, double *b), (void)a; b[0] = 0; b[1] = 1;)
 FAKE(GetDoublei_v, (U a, U b, double *c), (void)a; (void)b; c[0] = 0; c[1] = 1;)
 FAKE(GetFloati_v, (U a, U b, float *c), (void)a; (void)b; c[0] = c[1] = c[2] = c[3] = 7;)
 FAKE(ViewportIndexedf, (U a, float b, float c, float d, float e), (void)a; (void)b; (void)c; (void)d; (void)e;)
-FAKE(Disable, (U a), (void)a;)
+FAKE(Disable, (U a), driver.switched_off[a & 0xffffu] = 1;)
 FAKE(Disablei, (U a, U b), (void)a; (void)b;)
 FAKE(DrawArrays, (U a, I b, I c), (void)a; (void)b; (void)c; check_units();)
 FAKE(DrawBuffers, (I a, const U *b), (void)a; (void)b;)
@@ -572,6 +573,39 @@ static void test_state_none_makes_no_call(void **state) {
     assert_nothing_left();
 }
 
+/* Each pass switches off what would change its picture, whatever the host had on. */
+static void test_passes_switch_off(void **state) {
+    static const uint32_t names[] = {
+        0x0B90,                 /* stencil test */
+        0x0C11,                 /* scissor test */
+        0x8037,                 /* polygon offset: fill, line, point */
+        0x2A02, 0x2A01, 0x809E, /* sample alpha to coverage, sample coverage, sample mask */
+        0x80A0, 0x8E51, 0x8C89, /* rasterizer discard */
+        0x0BF2,                 /* colour logic op */
+        0x864F,                 /* depth clamp */
+        0x0BD0,                 /* dither */
+        0x3000, 0x3001, 0x3007  /* clip distances */
+    };
+    tr_desc desc = make_desc(TR_STATE_RESTORE);
+    tr_frame frame = make_frame(1, 2);
+    tr_pass pass;
+    (void)state;
+    reset_driver();
+    tr_context *tr = tr_create(&desc, NULL);
+    assert_int_equal(tr_begin(tr, &frame), TR_OK);
+    for (;;) {
+        memset(driver.switched_off, 0, sizeof driver.switched_off);
+        if (!tr_next_pass(tr, &pass))
+            break;
+        for (size_t i = 0; i < sizeof names / sizeof names[0]; ++i)
+            if (!driver.switched_off[names[i]])
+                fail_msg("%s leaves switch %x on", pass.name, (unsigned)names[i]);
+    }
+    assert_int_equal(tr_end(tr), TR_OK);
+    tr_destroy(tr);
+    assert_nothing_left();
+}
+
 /* No pass reads a texture that it draws into. */
 static void test_no_pass_reads_what_it_draws(void **state) {
     (void)state;
@@ -789,6 +823,7 @@ int main(void) {
         cmocka_unit_test(test_bad_frames),
         cmocka_unit_test(test_steady_frames_create_nothing),
         cmocka_unit_test(test_state_none_makes_no_call),
+        cmocka_unit_test(test_passes_switch_off),
         cmocka_unit_test(test_no_pass_reads_what_it_draws),
         cmocka_unit_test(test_resizing_leaks_nothing),
         cmocka_unit_test(test_plans_hold_only_what_is_needed),
