@@ -99,6 +99,14 @@
       2^130 or more away is brought back to there along its direction. An eye that is NaN, infinite or zero sees only
       backs. w < 0 is the same point as its negation.
 
+    THE HIERARCHY
+      A mesh of 60,000 edges and more (desc.flags changes that) has a hierarchy: patches of 32 faces, each with a box
+      around its planes, and boxes of boxes. sil_extract with a pose that is not set then finds silhouettes without
+      looking at every face: patches whose planes surely have one sign are left out, with rounding accounted for, so
+      that edges and order are those of the flat scan, in perspective and in parallel views. When more than a quarter of
+      the patches would have to be looked at it gives way to the flat scan, and is tried again after one, two, four, and
+      at most 64 views: the pose remembers that. Posed meshes, and calls without a pose, use the flat scan.
+
     DIRTY MESHES
       - Split vertices are welded by position (weld_distance = 0, the default: same x, y, z; -0 is 0), by distance
         (weld_distance > 0: vertices are taken in order, each joins the first earlier kept one within that distance),
@@ -124,6 +132,7 @@
       - Lines hidden by the surface they lie on: draw ribbons with the depth test at depth minus one to two times slack.
       - Transparency that depends on the view (Diepstraten 2002, equation 2): alpha = 1 - pow(distance /
         sil_max_distance, k).
+      - Silhouettes of a large mesh that does not move: a pose that is never set; it is what the hierarchy needs.
       - Distances for many vertices in every frame: one sil_edge_tree, built after sil_extract, then ranges of vertices
         by sil_distances_by_tree in as many threads as there are. sil_distances is for few edges or few vertices.
       - An animated character: one sil_pose an instance; sil_pose_set after skinning.
@@ -189,9 +198,16 @@ enum {
     SIL_CREASE = 4,     /* dihedral angle above crease_degrees; in a view: both faces in front, no silhouette */
     SIL_NONMANIFOLD = 8 /* edge of three or more faces */
 };
+/* More about an edge of two faces, in sil_edge.kinds only: cannot be asked for, and makes no difference to strips. Exact,
+   from the rest positions: each face's third corner lies behind or before the other's plane. Neither: in the plane, or
+   without area, two-sided, or wound in opposite senses. A silhouette that is concave is never visible: the faces on both
+   sides of it hide it. */
+enum { SIL_CONVEX = 16, SIL_CONCAVE = 32 };
 
 enum { SIL_LOG_ERROR = 1, SIL_LOG_WARNING = 2 }; /* level of a message */
 typedef void (*sil_log_fn)(int level, int code, const char *text, void *user);
+
+enum { SIL_MESH_NO_HIERARCHY = 1, SIL_MESH_HIERARCHY = 2 }; /* flags of a mesh: never one, or however small it is */
 
 /* Both functions or neither. alloc_fn returns memory aligned for any type, or NULL. */
 typedef struct sil_allocator {
@@ -211,6 +227,7 @@ typedef struct sil_mesh_desc {
     sil_allocator allocator;
     sil_log_fn log_fn; /* NULL: no messages */
     void *log_user;
+    unsigned flags; /* 0: a hierarchy (see THE HIERARCHY) where the mesh has 60,000 edges or more */
 } sil_mesh_desc;
 
 typedef struct sil_mesh_info {
@@ -228,6 +245,7 @@ typedef struct sil_mesh_info {
     size_t dropped_face_count;     /* faces left out because of an index out of range or a vertex that is not finite */
     size_t component_count;        /* sets of faces connected by edges */
     size_t bytes;                  /* memory held by the mesh */
+    size_t hierarchy_bytes;        /* of these the hierarchy's; 0: there is none */
     int closed;                    /* 1: there are faces, and every edge has an even number of them */
 } sil_mesh_info;
 
@@ -399,7 +417,10 @@ SIL_DEF size_t sil_ribbons(const sil_mesh *mesh, const sil_pose *pose, const sil
 
 #define SIL_I_BLOCK 64u    /* faces or edges handled at a time; arrays of them are padded to a multiple of it */
 #define SIL_I_LANES 8u     /* segments whose distances are computed at a time */
-#define SIL_I_MANY 16u     /* in edge_kinds: the edge has more than two faces, listed in many_* */
+#define SIL_I_LEVELS 12    /* of a tree: 8^12 leaves are more than there can be */
+#define SIL_I_MANY 128u    /* in edge_kinds: the edge has more than two faces, listed in many_* */
+#define SIL_I_LINES 15u    /* the kinds that can be asked for */
+#define SIL_I_FOLDS 48u    /* SIL_CONVEX and SIL_CONCAVE */
 #define SIL_I_TWO_SIDED 1u /* in face_flags */
 #define SIL_I_NO_AREA 2u   /* in face_flags: corners exactly on a line */
 #define SIL_I_PI 3.14159265358979323846
@@ -434,11 +455,15 @@ struct sil_mesh {
     uint32_t *many_edge, *many_first, *many_face; /* edges with SIL_I_MANY, rising, and their faces */
     size_t many_count;
     sil_i_shape rest;
+    struct sil_i_hierarchy *hierarchy; /* NULL: none */
 };
 
 struct sil_pose {
     const sil_mesh *mesh;
     unsigned char *front; /* of each face in the last view: 1 in front */
+    uint32_t *found;      /* edges found by the hierarchy */
+    size_t found_capacity;
+    unsigned flat_left, flat_wait; /* views until the hierarchy is tried again, and how many it was the last time */
     int is_set;
     sil_i_shape shape; /* allocated by the first sil_pose_set */
     void *scratch;
@@ -594,6 +619,14 @@ static int sil_i_bit_length(uint64_t value) {
         ++length;
     }
     return length;
+}
+
+/* Ten bits to every third one of thirty. */
+static uint32_t sil_i_spread_bits(uint32_t x) {
+    x = (x | x << 16) & 0x030000ffu;
+    x = (x | x << 8) & 0x0300f00fu;
+    x = (x | x << 4) & 0x030c30c3u;
+    return (x | x << 2) & 0x09249249u;
 }
 
 /* ---- the exact sign of a face ---- */
@@ -1297,6 +1330,67 @@ static void sil_i_build_faces(sil_mesh *mesh, const sil_mesh_desc *desc, size_t 
     sil_i_give(&scratch->allocator, starts);
 }
 
+/* Sorts words by rising value of the given bits, 11 at a time; the result is in `words`. */
+static void sil_i_sort_words(uint64_t *words, uint64_t *spare, size_t count, int low, int high) {
+    uint32_t starts[2048];
+    size_t i;
+    int bit;
+    for (bit = low; bit < high; bit += 11) {
+        uint32_t sum = 0;
+        memset(starts, 0, sizeof starts);
+        for (i = 0; i < count; ++i)
+            ++starts[words[i] >> bit & 2047];
+        for (i = 0; i < 2048; ++i) {
+            const uint32_t here = starts[i];
+            starts[i] = sum;
+            sum += here;
+        }
+        for (i = 0; i < count; ++i)
+            spare[starts[words[i] >> bit & 2047]++] = words[i];
+        memcpy(words, spare, count * sizeof *words);
+    }
+}
+
+/* Numbers faces along a space-filling curve: neighbours are then close in memory, and any 32 that follow each other are
+   a small patch, a leaf of the hierarchy. Faces at the same place stay in the order of their vertices. */
+static void sil_i_order_faces(sil_mesh *mesh, sil_i_heap *scratch) {
+    const size_t count = mesh->face_count;
+    uint64_t *order = (uint64_t *)sil_i_take(scratch, count, sizeof(uint64_t));
+    uint64_t *spare = (uint64_t *)sil_i_take(scratch, count, sizeof(uint64_t));
+    uint32_t *old = sil_i_take_words(scratch, 4 * count); /* three corners and the source of each */
+    size_t f;
+    int k;
+    sil_i_shape_box(mesh, &mesh->rest);
+    for (f = 0; f < count && !scratch->failed; ++f) {
+        const uint32_t *corner = mesh->corner + 3 * f;
+        const float *a = mesh->rest.position + 3 * (size_t)corner[0], *b = mesh->rest.position + 3 * (size_t)corner[1];
+        const float *c = mesh->rest.position + 3 * (size_t)corner[2];
+        uint32_t code = 0;
+        for (k = 0; k < 3; ++k) {
+            const double middle = ((double)a[k] + (double)b[k] + (double)c[k]) / 3;
+            const double at = ((middle - mesh->rest.center[k]) / mesh->rest.scale + 1) * 511.5;
+            code |= sil_i_spread_bits((uint32_t)(at < 0 ? 0 : at > 1023 ? 1023 : at)) << k;
+        }
+        order[f] = (uint64_t)code << 32 | f;
+        memcpy(old + 4 * f, corner, 3 * sizeof(uint32_t));
+        old[4 * f + 3] = mesh->source[f];
+    }
+    if (!scratch->failed) {
+        sil_i_sort_words(order, spare, count, 32, 62);
+        for (f = 0; f < count; ++f)
+            ((unsigned char *)spare)[f] = mesh->face_flags[f];
+        for (f = 0; f < count; ++f) {
+            const size_t from = (size_t)(order[f] & 0xffffffffu);
+            memcpy(mesh->corner + 3 * f, old + 4 * from, 3 * sizeof(uint32_t));
+            mesh->source[f] = old[4 * from + 3];
+            mesh->face_flags[f] = ((unsigned char *)spare)[from];
+        }
+    }
+    sil_i_give(&scratch->allocator, order);
+    sil_i_give(&scratch->allocator, spare);
+    sil_i_give(&scratch->allocator, old);
+}
+
 /* Planes of the rest positions, and which faces have no area: where the plane is sound there is some. */
 static void sil_i_build_planes(sil_mesh *mesh, sil_i_heap *heap) {
     const size_t padded = sil_i_padded(mesh->face_count);
@@ -1309,7 +1403,6 @@ static void sil_i_build_planes(sil_mesh *mesh, sil_i_heap *heap) {
     }
     if (heap->failed)
         return;
-    sil_i_shape_box(mesh, &mesh->rest);
     for (f = 0; f < mesh->face_count; ++f) {
         const uint32_t *corner = mesh->corner + 3 * f;
         const float *p = mesh->rest.position;
@@ -1423,15 +1516,30 @@ static void sil_i_fill_edges(sil_mesh *mesh, const uint32_t *sides, uint32_t *fa
     mesh->edge_count = e;
 }
 
+/* Puts runs of sides that are one edge in the order of their first sides: an edge is numbered by its first face. */
+static void sil_i_order_runs(const sil_mesh *mesh, const uint32_t *sides, uint32_t *run, uint32_t *out) {
+    const size_t count = 3 * mesh->face_count;
+    size_t i, j, n = 0;
+    memset(run, 0xff, count * sizeof(uint32_t));
+    for (i = 0; i < count; i = sil_i_run_end(mesh, sides, i))
+        run[sides[i]] = (uint32_t)i;
+    for (i = 0; i < count; ++i)
+        if (run[i] != SIL_NONE)
+            for (j = sil_i_run_end(mesh, sides, run[i]) - run[i]; j > 0; --j, ++n)
+                out[n] = sides[run[i]++];
+}
+
 /* By counting sort of the sides, by their larger and then by their smaller vertex. */
 static void sil_i_build_edges(sil_mesh *mesh, sil_i_heap *heap, sil_i_heap *scratch) {
     const size_t count = 3 * mesh->face_count;
     uint32_t *first = sil_i_take_words(scratch, count), *second = sil_i_take_words(scratch, count);
+    uint32_t *third = sil_i_take_words(scratch, count);
     size_t *starts = (size_t *)sil_i_take(scratch, mesh->unique_count, sizeof(size_t));
     size_t i, j, edges = 0, many = 0, many_faces = 0;
     if (!scratch->failed) {
         sil_i_sort_sides(mesh, NULL, first, 1, starts);
-        sil_i_sort_sides(mesh, first, second, 0, starts);
+        sil_i_sort_sides(mesh, first, third, 0, starts);
+        sil_i_order_runs(mesh, third, first, second);
         for (i = 0; i < count; i = j, ++edges) {
             j = sil_i_run_end(mesh, second, i);
             if (sil_i_edge_faces(mesh, second + i, j - i, first) > 2) {
@@ -1444,6 +1552,7 @@ static void sil_i_build_edges(sil_mesh *mesh, sil_i_heap *heap, sil_i_heap *scra
     }
     sil_i_give(&scratch->allocator, first);
     sil_i_give(&scratch->allocator, second);
+    sil_i_give(&scratch->allocator, third);
     sil_i_give(&scratch->allocator, starts);
 }
 
@@ -1680,6 +1789,35 @@ static unsigned sil_i_fixed_kinds(sil_mesh *mesh, uint32_t edge, double crease) 
     return SIL_CREASE;
 }
 
+/* SIL_CONVEX, SIL_CONCAVE or 0: on which side of its first face's plane is the third corner of the second? The sign of
+   that corner, as an eye, is the same with the faces exchanged. */
+static unsigned sil_i_fold(const sil_mesh *mesh, uint32_t edge) {
+    const uint32_t f0 = mesh->edge_face[0][edge], f1 = mesh->edge_face[1][edge];
+    const uint32_t *v = mesh->edge_vertex + 2 * (size_t)edge, *a = mesh->corner + 3 * (size_t)f0;
+    const uint32_t *b = mesh->corner + 3 * (size_t)f1;
+    const float *p[3], *opposite;
+    sil_i_eye eye;
+    int i, sign, finite = 1, k = 0;
+    if (mesh->edge_kinds[edge] & SIL_I_MANY || f0 == f1 || mesh->face_flags[f0] || mesh->face_flags[f1] ||
+        sil_i_rises(mesh, f0, edge) == sil_i_rises(mesh, f1, edge))
+        return 0;
+    while (b[k] == v[0] || b[k] == v[1])
+        ++k;
+    opposite = mesh->rest.position + 3 * (size_t)b[k];
+    memset(&eye, 0, sizeof eye);
+    for (i = 0; i < 3; ++i) {
+        p[i] = mesh->rest.position + 3 * (size_t)a[i];
+        eye.e[i] = (double)opposite[i];
+        eye.number[i] = sil_i_from_double(eye.e[i], &finite);
+    }
+    eye.e[3] = 1;
+    eye.number[3].mantissa = 1;
+    sign = sil_i_filtered_sign(p[0], p[1], p[2], &eye);
+    if (!sign && !sil_i_plainly_zero(p[0], p[1], p[2], &eye))
+        sign = sil_i_exact_sign(p[0], p[1], p[2], &eye);
+    return sign < 0 ? SIL_CONVEX : sign > 0 ? SIL_CONCAVE : 0;
+}
+
 static uint32_t sil_i_find_set(uint32_t *parent, uint32_t face) {
     while (parent[face] != face) {
         parent[face] = parent[parent[face]];
@@ -1715,6 +1853,214 @@ static void sil_i_build_components(sil_mesh *mesh, sil_i_heap *scratch) {
     sil_i_give(&scratch->allocator, parent);
 }
 
+/* ---- the hierarchy ---- */
+
+#define SIL_I_LEAF 32u          /* faces of a leaf */
+#define SIL_I_WORTHWHILE 60000u /* edges from which on a mesh has a hierarchy unless told otherwise */
+#define SIL_I_GIVE_WAY 4u       /* a search ends where more than one in so many leaves were looked at */
+#define SIL_I_MOST_FOUND 8u     /* or more than one in so many edges found */
+#define SIL_I_PATIENCE 64u      /* views by the flat scan before the next try, at most */
+
+/* Eight boxes around float planes (normal, offset), each about an origin of its own: a plane n, d of the shape has offset
+   d - n . origin there, which varies little within a small patch of a curved surface. */
+typedef struct sil_i_cones {
+    float origin[3][SIL_I_LANES], mid[4][SIL_I_LANES], half[4][SIL_I_LANES];
+} sil_i_cones;
+
+/* Leaf i is faces 32 i .. 32 i + 31. An edge of two faces belongs to the leaf of its first one, and edges are numbered by
+   their first faces. A leaf also holds the planes of the faces across its edges that are not its own, its rim: where all
+   of them and its own have one sign it has no silhouette. Child k of cones i of a level is leaf or cones 8 * i + k of the
+   level below. */
+typedef struct sil_i_hierarchy {
+    size_t leaf_count;
+    uint32_t *edge_first, *rim_first; /* of each leaf, and the end; rims are multiples of 8 */
+    float *plane[4];                  /* of the rims */
+    uint32_t *face;
+    unsigned char
+        *side; /* two an edge: its faces' places in the leaf, the rim's from 32 on; 0, 0 where it has not two */
+    sil_i_cones *cones;
+    size_t first[SIL_I_LEVELS];
+    unsigned levels;
+    uint32_t *special; /* edges that are more than the border of two faces, rising */
+    size_t special_count;
+} sil_i_hierarchy;
+
+static void sil_i_hierarchy_give(const sil_allocator *allocator, sil_i_hierarchy *h) {
+    int k;
+    sil_i_give(allocator, h->edge_first);
+    sil_i_give(allocator, h->rim_first);
+    for (k = 0; k < 4; ++k)
+        sil_i_give(allocator, h->plane[k]);
+    sil_i_give(allocator, h->face);
+    sil_i_give(allocator, h->side);
+    sil_i_give(allocator, h->cones);
+    sil_i_give(allocator, h->special);
+}
+
+/* The rim of a leaf. Its edges' sides are written, and their faces' places in place[]: leaf << 8 | place. Returns the
+   number of faces. */
+static size_t sil_i_leaf_rim(const sil_mesh *mesh, sil_i_hierarchy *h, uint32_t leaf, uint32_t *place, uint32_t *rim) {
+    size_t e, count = 0;
+    for (e = h->edge_first[leaf]; e < h->edge_first[leaf + 1]; ++e) {
+        const uint32_t f0 = mesh->edge_face[0][e], f1 = mesh->edge_face[1][e];
+        if (f0 == f1 || mesh->edge_kinds[e] & SIL_I_MANY)
+            continue;
+        h->side[2 * e] = (unsigned char)(f0 % SIL_I_LEAF);
+        if (f1 / SIL_I_LEAF == leaf)
+            h->side[2 * e + 1] = (unsigned char)(f1 % SIL_I_LEAF);
+        else {
+            if (place[f1] >> 8 != leaf) {
+                place[f1] = leaf << 8 | (uint32_t)(SIL_I_LEAF + count);
+                rim[count++] = f1;
+            }
+            h->side[2 * e + 1] = (unsigned char)(place[f1] & 255);
+        }
+    }
+    return count;
+}
+
+/* Grows a box of planes, given by their numbers in `plane`, about an origin. */
+static void sil_i_cone_grow(float *const plane[4], size_t first, size_t end, const double *origin, double *low,
+                            double *high) {
+    size_t i;
+    int k;
+    for (i = first; i < end; ++i) {
+        double p[4];
+        p[3] = (double)plane[3][i];
+        for (k = 0; k < 3; ++k) {
+            p[k] = (double)plane[k][i];
+            p[3] -= p[k] * origin[k];
+        }
+        for (k = 0; k < 4; ++k) {
+            low[k] = p[k] < low[k] ? p[k] : low[k];
+            high[k] = p[k] > high[k] ? p[k] : high[k];
+        }
+    }
+}
+
+/* The box of leaves first .. end - 1. Middles are rounded, and half sizes taken from there and rounded up. */
+static void sil_i_cone_set(const sil_mesh *mesh, const sil_i_hierarchy *h, size_t first, size_t end, sil_i_cones *cones,
+                           size_t lane) {
+    double low[4] = {1e9, 1e9, 1e9, 1e9}, high[4] = {-1e9, -1e9, -1e9, -1e9}, origin[3];
+    const size_t last = end * SIL_I_LEAF < mesh->face_count ? end * SIL_I_LEAF : mesh->face_count;
+    size_t i;
+    int k;
+    for (i = first * SIL_I_LEAF; i < last; ++i)
+        for (k = 0; k < 3; ++k) {
+            const float *p = mesh->rest.position + 3 * (size_t)mesh->corner[3 * i];
+            const double x = ((double)p[k] - mesh->rest.center[k]) / mesh->rest.scale;
+            low[k] = x < low[k] ? x : low[k];
+            high[k] = x > high[k] ? x : high[k];
+        }
+    for (k = 0; k < 3; ++k) {
+        cones->origin[k][lane] = (float)(0.5 * (low[k] + high[k]));
+        origin[k] = (double)cones->origin[k][lane];
+    }
+    for (k = 0; k < 4; ++k) {
+        low[k] = 1e9;
+        high[k] = -1e9;
+    }
+    sil_i_cone_grow(mesh->rest.plane, first * SIL_I_LEAF, last, origin, low, high);
+    sil_i_cone_grow(h->plane, h->rim_first[first], h->rim_first[end], origin, low, high);
+    for (k = 0; k < 4; ++k) {
+        const float mid = (float)(0.5 * (low[k] + high[k]));
+        const double half = sil_i_larger(high[k] - (double)mid, (double)mid - low[k]);
+        cones->mid[k][lane] = mid;
+        cones->half[k][lane] = (float)(half * 1.000001 + 1e-15);
+    }
+}
+
+static void sil_i_build_cones(const sil_mesh *mesh, sil_i_hierarchy *h) {
+    size_t count = h->leaf_count, leaves = 1, i;
+    h->first[1] = 0;
+    for (;;) { /* `count` boxes of `leaves` leaves each */
+        ++h->levels;
+        for (i = 0; i < count; ++i) {
+            const size_t end = (i + 1) * leaves < h->leaf_count ? (i + 1) * leaves : h->leaf_count;
+            sil_i_cone_set(mesh, h, i * leaves, end, &h->cones[h->first[h->levels] + i / SIL_I_LANES], i % SIL_I_LANES);
+        }
+        count = (count + SIL_I_LANES - 1) / SIL_I_LANES;
+        leaves *= SIL_I_LANES;
+        if (count == 1)
+            return;
+        h->first[h->levels + 1] = h->first[h->levels] + count;
+    }
+}
+
+/* Where the edges of each leaf begin, and which edges are special. Those of many faces may be anywhere. */
+static void sil_i_hierarchy_edges(const sil_mesh *mesh, sil_i_hierarchy *h) {
+    size_t e, leaf = 0, specials = 0;
+    for (e = 0; e < mesh->edge_count; ++e) {
+        if (mesh->edge_kinds[e] & ~SIL_I_FOLDS)
+            h->special[specials++] = (uint32_t)e;
+        if (!(mesh->edge_kinds[e] & SIL_I_MANY))
+            while (leaf <= mesh->edge_face[0][e] / SIL_I_LEAF)
+                h->edge_first[leaf++] = (uint32_t)e;
+    }
+    while (leaf <= h->leaf_count)
+        h->edge_first[leaf++] = (uint32_t)mesh->edge_count;
+}
+
+static void sil_i_fill_hierarchy(sil_mesh *mesh, sil_i_hierarchy *h, sil_i_heap *heap, uint32_t *place) {
+    const size_t cones = h->leaf_count / 7 + SIL_I_LEVELS;
+    uint32_t rim[3 * SIL_I_LEAF], leaf;
+    size_t i, count;
+    int k, pass;
+    sil_i_hierarchy_edges(mesh, h);
+    h->rim_first[0] = 0;
+    for (pass = 0; pass < 2; ++pass) { /* count, then fill */
+        memset(place, 0xff, mesh->face_count * sizeof(uint32_t));
+        for (leaf = 0; leaf < h->leaf_count; ++leaf) {
+            count = sil_i_leaf_rim(mesh, h, leaf, place, rim);
+            h->rim_first[leaf + 1] =
+                h->rim_first[leaf] + (uint32_t)((count + SIL_I_LANES - 1) / SIL_I_LANES * SIL_I_LANES);
+            for (i = h->rim_first[leaf]; pass && i < h->rim_first[leaf + 1]; ++i) {
+                const size_t at = i - h->rim_first[leaf];
+                h->face[i] = rim[at < count ? at : count - 1]; /* the last one again, up to a multiple of 8 */
+                for (k = 0; k < 4; ++k)
+                    h->plane[k][i] = mesh->rest.plane[k][h->face[i]];
+            }
+        }
+        if (pass)
+            break;
+        for (k = 0; k < 4; ++k)
+            h->plane[k] = (float *)sil_i_take(heap, h->rim_first[h->leaf_count], sizeof(float));
+        h->face = sil_i_take_words(heap, h->rim_first[h->leaf_count]);
+        h->cones = (sil_i_cones *)sil_i_take(heap, cones, sizeof(sil_i_cones));
+        if (heap->failed)
+            return;
+        memset(h->cones, 0, cones * sizeof(sil_i_cones)); /* lanes without a child are computed too */
+    }
+    sil_i_build_cones(mesh, h);
+}
+
+/* After everything else of the mesh. Leaves' numbers have 24 bits, as meshes have less than 2^28 faces. */
+static void sil_i_build_hierarchy(sil_mesh *mesh, unsigned flags, sil_i_heap *heap, sil_i_heap *scratch) {
+    const size_t before = heap->bytes;
+    uint32_t *place;
+    sil_i_hierarchy *h;
+    size_t e;
+    if (!mesh->face_count || flags & SIL_MESH_NO_HIERARCHY ||
+        (!(flags & SIL_MESH_HIERARCHY) && mesh->edge_count < SIL_I_WORTHWHILE))
+        return;
+    mesh->hierarchy = h = (sil_i_hierarchy *)sil_i_take(heap, 1, sizeof *h);
+    if (!h)
+        return;
+    memset(h, 0, sizeof *h);
+    for (e = 0; e < mesh->edge_count; ++e)
+        h->special_count += (mesh->edge_kinds[e] & ~SIL_I_FOLDS) != 0;
+    h->leaf_count = (mesh->face_count + SIL_I_LEAF - 1) / SIL_I_LEAF;
+    h->edge_first = sil_i_take_words(heap, h->leaf_count + 1);
+    h->rim_first = sil_i_take_words(heap, h->leaf_count + 1);
+    h->side = sil_i_take_bytes(heap, 2 * mesh->edge_count);
+    h->special = sil_i_take_words(heap, h->special_count);
+    place = sil_i_take_words(scratch, mesh->face_count);
+    if (!heap->failed && !scratch->failed)
+        sil_i_fill_hierarchy(mesh, h, heap, place);
+    mesh->info.hierarchy_bytes = heap->bytes - before;
+    sil_i_give(&scratch->allocator, place);
+}
+
 static void sil_i_build(sil_mesh *mesh, const sil_mesh_desc *desc, size_t triangles, sil_i_heap *heap) {
     sil_i_heap scratch = *heap;
     double crease = (double)desc->crease_degrees;
@@ -1725,6 +2071,8 @@ static void sil_i_build(sil_mesh *mesh, const sil_mesh_desc *desc, size_t triang
     if (!heap->failed && !scratch.failed)
         sil_i_build_faces(mesh, desc, triangles, heap, &scratch);
     if (!heap->failed && !scratch.failed)
+        sil_i_order_faces(mesh, &scratch);
+    if (!heap->failed && !scratch.failed)
         sil_i_build_planes(mesh, heap);
     if (!heap->failed && !scratch.failed)
         sil_i_build_edges(mesh, heap, &scratch);
@@ -1734,8 +2082,10 @@ static void sil_i_build(sil_mesh *mesh, const sil_mesh_desc *desc, size_t triang
         sil_i_build_roots(mesh, heap, &scratch);
     if (!heap->failed && !scratch.failed) {
         for (e = 0; e < mesh->edge_count; ++e)
-            mesh->edge_kinds[e] = (unsigned char)sil_i_fixed_kinds(mesh, (uint32_t)e, crease);
+            mesh->edge_kinds[e] =
+                (unsigned char)(sil_i_fixed_kinds(mesh, (uint32_t)e, crease) | sil_i_fold(mesh, (uint32_t)e));
         sil_i_build_components(mesh, &scratch);
+        sil_i_build_hierarchy(mesh, desc->flags, heap, &scratch);
     }
     heap->failed |= scratch.failed;
 }
@@ -1828,6 +2178,9 @@ SIL_DEF void sil_mesh_destroy(sil_mesh *mesh) {
     sil_i_give(&allocator, mesh->many_first);
     sil_i_give(&allocator, mesh->many_face);
     sil_i_shape_give(&allocator, &mesh->rest);
+    if (mesh->hierarchy)
+        sil_i_hierarchy_give(&allocator, mesh->hierarchy);
+    sil_i_give(&allocator, mesh->hierarchy);
     sil_i_give(&allocator, mesh);
 }
 
@@ -1851,8 +2204,12 @@ SIL_DEF sil_pose *sil_pose_create(const sil_mesh *mesh, sil_result *result) {
             memset(pose, 0, sizeof *pose);
             pose->mesh = mesh;
             pose->front = sil_i_take_bytes(&heap, sil_i_padded(mesh->face_count));
+            pose->found_capacity = mesh->hierarchy ? mesh->edge_count / SIL_I_MOST_FOUND + 3 * SIL_I_LEAF : 0;
+            pose->found = sil_i_take_words(&heap, pose->found_capacity);
         }
         if (heap.failed) {
+            if (pose)
+                sil_i_give(&heap.allocator, pose->front);
             sil_i_give(&heap.allocator, pose);
             pose = NULL;
             code = SIL_OUT_OF_MEMORY;
@@ -1870,6 +2227,7 @@ SIL_DEF void sil_pose_destroy(sil_pose *pose) {
     allocator = pose->mesh->allocator;
     sil_i_shape_give(&allocator, &pose->shape);
     sil_i_give(&allocator, pose->front);
+    sil_i_give(&allocator, pose->found);
     sil_i_give(&allocator, pose->scratch);
     sil_i_give(&allocator, pose);
 }
@@ -2045,7 +2403,7 @@ static unsigned sil_i_classify(const sil_i_signs *signs, uint32_t edge, uint32_t
         const int front0 = sil_i_is_front(signs, face[0]), front1 = sil_i_is_front(signs, face[1]);
         const unsigned flags = mesh->face_flags[face[0]] & (unsigned)mesh->face_flags[face[1]];
         if (front0 != front1)
-            kinds = SIL_SILHOUETTE;
+            kinds = SIL_SILHOUETTE | (kinds & SIL_I_FOLDS);
         else if (!front0 && !(flags & SIL_I_TWO_SIDED))
             kinds &= SIL_BOUNDARY;
         if (front1 && !front0)
@@ -2085,7 +2443,7 @@ static void sil_i_candidates(const sil_i_signs *signs, size_t first, unsigned ki
     const uint32_t *f0 = mesh->edge_face[0] + first, *f1 = mesh->edge_face[1] + first;
     const unsigned char *fixed = mesh->edge_kinds + first;
     const unsigned silhouettes = kinds & SIL_SILHOUETTE && signs->in_view;
-    const unsigned char wanted = (unsigned char)((kinds & 15u) | (silhouettes ? SIL_I_MANY : 0));
+    const unsigned char wanted = (unsigned char)((kinds & SIL_I_LINES) | (silhouettes ? SIL_I_MANY : 0));
     size_t i;
     for (i = 0; i < SIL_I_BLOCK; ++i)
         candidate[i] = (unsigned char)(fixed[i] & wanted);
@@ -2100,30 +2458,180 @@ static void sil_i_candidates(const sil_i_signs *signs, size_t first, unsigned ki
                 candidate[i] = (unsigned char)(sil_i_is_front(signs, f0[i]) ^ sil_i_is_front(signs, f1[i]));
 }
 
-SIL_DEF size_t sil_extract(const sil_mesh *mesh, sil_pose *pose, const sil_view *view, unsigned kinds, sil_edge *edges,
-                           size_t capacity) {
-    sil_i_signs signs;
-    unsigned char candidate[SIL_I_BLOCK];
-    size_t first, i, count = 0;
-    if (!mesh || (pose && pose->mesh != mesh))
+/* A search of the hierarchy. */
+typedef struct sil_i_hunt {
+    const sil_mesh *mesh;
+    const sil_i_hierarchy *h;
+    const sil_i_eye *eye;
+    uint32_t *found;
+    unsigned char *front; /* the pose's: set for the faces of what is found */
+    size_t count, capacity, visited;
+} sil_i_hunt;
+
+/* Which of eight boxes may hold planes of either sign, or some that are not sure: bits. A plane is sure where |t| is more
+   than eye->limit. With v = 2^-24 and S = |ex| + |ey| + |ez| + 3 |ew|, of which the limit is more than 16v: origins are
+   at most 1 on each axis, offsets about them at most 3.5, so that the terms of t and of r are each at most
+   S + 3.5 |ew| < 2.2 S, and with 7 roundings for each of the two sums the error of t and r together is below
+   2 * 7v * 2.2 S < 2 * limit. One limit for the planes, two for this, and one to spare. */
+static unsigned sil_i_undecided(const sil_i_cones *c, const sil_i_eye *eye) {
+    const float ex = eye->plane[0], ey = eye->plane[1], ez = eye->plane[2], ew = eye->plane[3];
+    const float pad = 4 * eye->limit, aw = fabsf(ew);
+    float gap[SIL_I_LANES];
+    unsigned bits = 0, i;
+    for (i = 0; i < SIL_I_LANES; ++i) {
+        const float x = ex - ew * c->origin[0][i], y = ey - ew * c->origin[1][i], z = ez - ew * c->origin[2][i];
+        const float t = c->mid[0][i] * x + c->mid[1][i] * y + c->mid[2][i] * z - c->mid[3][i] * ew;
+        const float r =
+            c->half[0][i] * fabsf(x) + c->half[1][i] * fabsf(y) + c->half[2][i] * fabsf(z) + c->half[3][i] * aw;
+        gap[i] = fabsf(t) - (r + pad);
+    }
+    for (i = 0; i < SIL_I_LANES; ++i)
+        bits |= (unsigned)!(gap[i] > 0) << i;
+    return bits;
+}
+
+/* Eight faces from `first` on, of which `count` are there. */
+static void sil_i_hunt_eight(const sil_i_hunt *hunt, float *const plane[4], const uint32_t *face, size_t first,
+                             size_t count, unsigned char *front) {
+    const float ex = hunt->eye->plane[0], ey = hunt->eye->plane[1], ez = hunt->eye->plane[2];
+    const float ew = hunt->eye->plane[3], limit = hunt->eye->limit;
+    const float *nx = plane[0] + first, *ny = plane[1] + first, *nz = plane[2] + first, *d = plane[3] + first;
+    float t[SIL_I_LANES];
+    int unsure = 0;
+    size_t k;
+    for (k = 0; k < SIL_I_LANES; ++k)
+        t[k] = nx[k] * ex + ny[k] * ey + nz[k] * ez - d[k] * ew;
+    for (k = 0; k < SIL_I_LANES; ++k)
+        unsure |= (t[k] <= limit) & (t[k] >= -limit);
+    for (k = 0; k < SIL_I_LANES; ++k)
+        front[k] = (unsigned char)(t[k] > limit);
+    for (k = 0; k < count && unsure; ++k)
+        if (t[k] <= limit && t[k] >= -limit)
+            front[k] = (unsigned char)sil_i_front_unsure(hunt->mesh, &hunt->mesh->rest, hunt->eye,
+                                                         face ? face[first + k] : (uint32_t)(first + k));
+}
+
+/* The silhouettes of a leaf. 0 where there is no more room. */
+static int sil_i_hunt_leaf(sil_i_hunt *hunt, size_t leaf) {
+    const sil_i_hierarchy *h = hunt->h;
+    const size_t rim = h->rim_first[leaf], rim_count = h->rim_first[leaf + 1] - rim;
+    const size_t own = leaf * SIL_I_LEAF, left = hunt->mesh->face_count - own;
+    const size_t own_count = left < SIL_I_LEAF ? left : SIL_I_LEAF;
+    const unsigned char *side = h->side;
+    const size_t end = h->edge_first[leaf + 1];
+    unsigned char front[4 * SIL_I_LEAF];
+    size_t i, count = hunt->count;
+    for (i = 0; i < own_count; i += SIL_I_LANES) /* planes are padded with zeros */
+        sil_i_hunt_eight(hunt, hunt->mesh->rest.plane, NULL, own + i,
+                         own_count - i < SIL_I_LANES ? own_count - i : SIL_I_LANES, front + i);
+    for (i = 0; i < rim_count; i += SIL_I_LANES)
+        sil_i_hunt_eight(hunt, h->plane, h->face, rim + i, SIL_I_LANES, front + SIL_I_LEAF + i);
+    if (hunt->capacity - count < end - h->edge_first[leaf])
         return 0;
-    memset(&signs, 0, sizeof signs);
-    signs.mesh = mesh;
-    signs.shape = sil_i_shape_of(mesh, pose);
-    if (view) {
-        signs.in_view = 1;
-        sil_i_eye_make(&signs.eye, view, signs.shape);
-        if (pose) {
-            sil_i_front_all(mesh, signs.shape, &signs.eye, pose->front);
-            sil_i_clear_bad_faces(mesh, signs.shape, pose->front);
-            signs.front = pose->front;
+    for (i = h->edge_first[leaf]; i < end; ++i) { /* without a branch: written over where it is none */
+        hunt->found[count] = (uint32_t)i;
+        count += (size_t)(front[side[2 * i]] ^ front[side[2 * i + 1]]);
+    }
+    for (i = hunt->count; i < count; ++i) {
+        const size_t edge = hunt->found[i];
+        hunt->front[hunt->mesh->edge_face[0][edge]] = front[side[2 * edge]];
+        hunt->front[hunt->mesh->edge_face[1][edge]] = front[side[2 * edge + 1]];
+    }
+    hunt->count = count;
+    return 1;
+}
+
+/* Looks at all leaves that may have silhouettes, in rising order. 0: gave way. */
+static int sil_i_hunt_run(sil_i_hunt *hunt) {
+    const sil_i_hierarchy *h = hunt->h;
+    uint32_t stack[(SIL_I_LANES - 1) * SIL_I_LEVELS + 1];
+    unsigned char level[(SIL_I_LANES - 1) * SIL_I_LEVELS + 1];
+    const size_t most = h->leaf_count / SIL_I_GIVE_WAY + SIL_I_LANES;
+    size_t top = 1, counts[SIL_I_LEVELS], child;
+    unsigned bits, k;
+    counts[0] = h->leaf_count;
+    for (k = 1; k < SIL_I_LEVELS; ++k)
+        counts[k] = (counts[k - 1] + SIL_I_LANES - 1) / SIL_I_LANES;
+    stack[0] = 0;
+    level[0] = (unsigned char)h->levels;
+    while (top) {
+        const unsigned below = level[--top] - 1u;
+        const size_t at = stack[top];
+        bits = sil_i_undecided(&h->cones[h->first[below + 1] + at], hunt->eye);
+        for (k = 0; k < SIL_I_LANES; ++k) {
+            child = at * SIL_I_LANES + (below ? SIL_I_LANES - 1 - k : k); /* the first on top of the stack */
+            if (!(bits >> child % SIL_I_LANES & 1) || child >= counts[below])
+                continue;
+            if (below) {
+                stack[top] = (uint32_t)child;
+                level[top++] = (unsigned char)below;
+            } else if (++hunt->visited > most || !sil_i_hunt_leaf(hunt, child))
+                return 0;
         }
     }
-    for (first = 0; first < mesh->edge_count; first += SIL_I_BLOCK) {
-        sil_i_candidates(&signs, first, kinds, candidate);
+    return 1;
+}
+
+/* Edges that are candidates whatever the signs of two faces are: of many faces, and of other kinds asked for. */
+static const uint32_t *sil_i_other_candidates(const sil_mesh *mesh, unsigned kinds, size_t *count) {
+    const int special = (kinds & (SIL_BOUNDARY | SIL_CREASE | SIL_NONMANIFOLD)) != 0;
+    *count = special ? mesh->hierarchy->special_count : mesh->many_count;
+    return special ? mesh->hierarchy->special : mesh->many_edge;
+}
+
+/* The silhouettes of edges of two faces by the hierarchy, rising. 0: by the flat scan then. */
+static int sil_i_hunt_edges(const sil_i_signs *signs, sil_pose *pose, unsigned kinds, size_t *count) {
+    const sil_mesh *mesh = signs->mesh;
+    sil_i_hunt hunt;
+    if (pose->flat_left) {
+        --pose->flat_left;
+        return 0;
+    }
+    (void)sil_i_other_candidates(mesh, kinds, count);
+    hunt.mesh = mesh;
+    hunt.h = mesh->hierarchy;
+    hunt.eye = &signs->eye;
+    hunt.found = pose->found;
+    hunt.front = pose->front;
+    hunt.count = hunt.visited = 0;
+    hunt.capacity = pose->found_capacity;
+    if (*count > hunt.capacity || !sil_i_hunt_run(&hunt)) {
+        pose->flat_wait = pose->flat_wait ? 2 * pose->flat_wait : 1;
+        pose->flat_wait = pose->flat_wait > SIL_I_PATIENCE ? SIL_I_PATIENCE : pose->flat_wait;
+        pose->flat_left = pose->flat_wait;
+        return 0;
+    }
+    pose->flat_wait = 0;
+    *count = hunt.count;
+    return 1;
+}
+
+/* What a call of sil_extract writes. */
+typedef struct sil_i_edges_out {
+    sil_edge *edges;
+    size_t capacity, count;
+    unsigned kinds;
+} sil_i_edges_out;
+
+static void sil_i_extract_one(const sil_i_signs *signs, uint32_t edge, sil_i_edges_out *out) {
+    uint32_t face[2];
+    unsigned found;
+    if (sil_i_edge_is_bad(signs, edge))
+        return;
+    found = sil_i_classify(signs, edge, face);
+    if (!(found & out->kinds))
+        return;
+    if (out->edges && out->count < out->capacity)
+        sil_i_write_edge(signs, edge, found, face, &out->edges[out->count]);
+    ++out->count;
+}
+
+static void sil_i_extract_flat(const sil_i_signs *signs, sil_i_edges_out *out) {
+    unsigned char candidate[SIL_I_BLOCK];
+    size_t first, i;
+    for (first = 0; first < signs->mesh->edge_count; first += SIL_I_BLOCK) {
+        sil_i_candidates(signs, first, out->kinds, candidate);
         for (i = 0; i < SIL_I_BLOCK; ++i) {
-            uint32_t face[2];
-            unsigned found;
             uint64_t eight;
             if (i % 8 == 0) {
                 memcpy(&eight, candidate + i, sizeof eight);
@@ -2132,17 +2640,58 @@ SIL_DEF size_t sil_extract(const sil_mesh *mesh, sil_pose *pose, const sil_view 
                     continue;
                 }
             }
-            if (!candidate[i] || sil_i_edge_is_bad(&signs, (uint32_t)(first + i)))
-                continue;
-            found = sil_i_classify(&signs, (uint32_t)(first + i), face);
-            if (!(found & kinds))
-                continue;
-            if (edges && count < capacity)
-                sil_i_write_edge(&signs, (uint32_t)(first + i), found, face, &edges[count]);
-            ++count;
+            if (candidate[i])
+                sil_i_extract_one(signs, (uint32_t)(first + i), out);
         }
     }
-    return count;
+}
+
+/* The silhouettes found and the edges that are candidates for other reasons, both rising, as one. Of the former the
+   pose has the signs. */
+static void sil_i_extract_found(const sil_i_signs *signs, const sil_pose *pose, size_t count, sil_i_edges_out *out) {
+    const uint32_t *found = pose->found;
+    sil_i_signs known = *signs;
+    size_t other_count, i = 0, j = 0;
+    const uint32_t *other = sil_i_other_candidates(signs->mesh, out->kinds, &other_count);
+    known.front = pose->front;
+    while (i < count || j < other_count) {
+        const uint32_t a = i < count ? found[i] : SIL_NONE, b = j < other_count ? other[j] : SIL_NONE;
+        i += a <= b;
+        j += b <= a;
+        sil_i_extract_one(a <= b ? &known : signs, a < b ? a : b, out);
+    }
+}
+
+SIL_DEF size_t sil_extract(const sil_mesh *mesh, sil_pose *pose, const sil_view *view, unsigned kinds, sil_edge *edges,
+                           size_t capacity) {
+    sil_i_signs signs;
+    sil_i_edges_out out;
+    size_t found;
+    if (!mesh || (pose && pose->mesh != mesh))
+        return 0;
+    memset(&signs, 0, sizeof signs);
+    signs.mesh = mesh;
+    signs.shape = sil_i_shape_of(mesh, pose);
+    out.edges = edges;
+    out.capacity = capacity;
+    out.count = 0;
+    out.kinds = kinds & SIL_I_LINES;
+    if (view) {
+        signs.in_view = 1;
+        sil_i_eye_make(&signs.eye, view, signs.shape);
+        if (pose && !pose->is_set && mesh->hierarchy && kinds & SIL_SILHOUETTE && signs.eye.valid &&
+            sil_i_hunt_edges(&signs, pose, kinds, &found)) {
+            sil_i_extract_found(&signs, pose, found, &out);
+            return out.count;
+        }
+        if (pose) {
+            sil_i_front_all(mesh, signs.shape, &signs.eye, pose->front);
+            sil_i_clear_bad_faces(mesh, signs.shape, pose->front);
+            signs.front = pose->front;
+        }
+    }
+    sil_i_extract_flat(&signs, &out);
+    return out.count;
 }
 
 /* ---- chains ---- */
@@ -2247,6 +2796,10 @@ static const sil_edge *sil_i_place(const sil_i_chains *c, uint32_t place) {
     return &c->edges[c->order[place]];
 }
 
+static uint32_t sil_i_line_kinds(const sil_i_chains *c, uint32_t place) {
+    return sil_i_place(c, place)->kinds & SIL_I_LINES;
+}
+
 static uint32_t sil_i_find_place(const sil_i_chains *c, uint32_t edge) {
     size_t slot = sil_i_hash(edge, 0, 0) & (c->table_size - 1);
     while (c->table[slot] != SIL_NONE) {
@@ -2288,7 +2841,7 @@ static uint32_t sil_i_turn(const sil_i_chains *c, uint32_t end) {
         if (next == SIL_NONE || next == start)
             return SIL_NONE;
         place = sil_i_find_place(c, next);
-        if (place != SIL_NONE && sil_i_place(c, place)->kinds == SIL_SILHOUETTE) {
+        if (place != SIL_NONE && sil_i_line_kinds(c, place) == SIL_SILHOUETTE) {
             if (sil_i_front_face(c, place) != face)
                 return SIL_NONE;
             return 2 * place + (sil_i_end_vertex(c, 2 * place) != vertex);
@@ -2306,7 +2859,7 @@ static void sil_i_link_kind(const sil_i_chains *c, const uint64_t *keys, size_t 
     size_t i, matches = 0;
     for (i = 0; i < count; ++i) {
         const uint32_t end = (uint32_t)(keys[i] & 0xffffffffu);
-        if (sil_i_place(c, end / 2)->kinds != kinds)
+        if (sil_i_line_kinds(c, end / 2) != kinds)
             continue;
         if (matches < 2)
             found[matches] = end;
@@ -2326,12 +2879,12 @@ static void sil_i_link_pairs(const sil_i_chains *c) {
             c->keys[left++] = (uint64_t)sil_i_end_vertex(c, (uint32_t)i) << 32 | i;
     sil_i_sort_keys(c->keys, left);
     for (i = 0; i < left; i = j) {
-        uint32_t seen = 0; /* kinds below 16 that were looked at; a bit each */
+        uint32_t seen = 0; /* kinds that were looked at; a bit each */
         for (j = i; j < left && c->keys[j] >> 32 == c->keys[i] >> 32; ++j)
             ;
         for (k = i; k < j; ++k) {
-            const uint32_t kinds = sil_i_place(c, (uint32_t)(c->keys[k] & 0xffffffffu) / 2)->kinds;
-            if (kinds < 16 && !(seen >> kinds & 1)) {
+            const uint32_t kinds = sil_i_line_kinds(c, (uint32_t)(c->keys[k] & 0xffffffffu) / 2);
+            if (!(seen >> kinds & 1)) {
                 seen |= 1u << kinds;
                 sil_i_link_kind(c, c->keys + i, j - i, kinds);
             }
@@ -2342,7 +2895,7 @@ static void sil_i_link_pairs(const sil_i_chains *c) {
 static void sil_i_link_turns(const sil_i_chains *c) {
     uint32_t i;
     for (i = 0; i < 2 * c->count; ++i)
-        if (c->link[i] == SIL_NONE && sil_i_place(c, i / 2)->kinds == SIL_SILHOUETTE) {
+        if (c->link[i] == SIL_NONE && sil_i_line_kinds(c, i / 2) == SIL_SILHOUETTE) {
             const uint32_t other = sil_i_turn(c, i);
             if (other != SIL_NONE && other != i && c->link[other] == SIL_NONE) {
                 c->link[i] = other;
@@ -2385,7 +2938,7 @@ static void sil_i_write_strip(const sil_i_chains *c, sil_i_strip_out *out, uint3
         strip->first = (uint32_t)first;
         strip->count = (uint32_t)(out->vertex_count - first);
         strip->id = sil_i_place(c, place)->edge;
-        strip->kinds = sil_i_place(c, place)->kinds;
+        strip->kinds = sil_i_line_kinds(c, place);
         strip->closed = (uint32_t)closed;
     }
     ++out->strip_count;
@@ -2715,7 +3268,6 @@ typedef struct sil_i_boxes {
     float mid[3][SIL_I_LANES], half[3][SIL_I_LANES];
 } sil_i_boxes;
 
-#define SIL_I_LEVELS 12      /* 8^12 leaves are more than there can be */
 #define SIL_I_CHUNK 1024u    /* points that are put in an order of their own at a time */
 #define SIL_I_GROUP 32u      /* points that are looked for together */
 #define SIL_I_FEW 8u         /* of these, points that share a shorter list of leaves */
@@ -2798,14 +3350,6 @@ SIL_DEF sil_result sil_edge_tree_reserve(sil_edge_tree *tree, size_t edge_count)
 
 SIL_DEF size_t sil_edge_tree_bytes(const sil_edge_tree *tree) {
     return tree ? tree->bytes : 0;
-}
-
-/* Ten bits to every third one of thirty. */
-static uint32_t sil_i_spread_bits(uint32_t x) {
-    x = (x | x << 16) & 0x030000ffu;
-    x = (x | x << 8) & 0x0300f00fu;
-    x = (x | x << 4) & 0x030c30c3u;
-    return (x | x << 2) & 0x09249249u;
 }
 
 /* The place of an edge's middle on a curve through cubes within cubes. */

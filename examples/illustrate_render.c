@@ -24,7 +24,8 @@
 
 enum { TILE = 2048 }; /* drawn pixels */
 
-/* One mesh on the GPU and as silhouette.h knows it. Parts that are transparent have one of their own, finely divided. */
+/* One mesh on the GPU and as silhouette.h knows it. Parts that are transparent have one of their own on the GPU, finely
+ * divided; their lines are those of the coarse one. */
 typedef struct surface {
     float *positions, *normals, *colors; /* colors may be NULL */
     uint32_t *indices;
@@ -374,9 +375,7 @@ static bool make_figures(renderer *r) {
         f->object.flags = transparent[i] ? (uint32_t)TR_TRANSPARENT : 0;
         if (transparent[i]) {
             f->surface = extra++;
-            ok = refine_surface(r, &s->meshes[f->part->mesh], &r->surfaces[f->surface]) &&
-                 find_edges_of(r, &r->surfaces[f->surface]);
-            /* Rounded midpoints must not change what the coarse mesh is. */
+            ok = refine_surface(r, &s->meshes[f->part->mesh], &r->surfaces[f->surface]);
             r->surfaces[f->surface].sheet = r->surfaces[f->part->mesh].sheet;
             r->surfaces[f->surface].inward = r->surfaces[f->part->mesh].inward;
         }
@@ -489,64 +488,46 @@ static double wanted_k(const renderer *r) {
     return r->job->k >= 0 ? (double)r->job->k : 0.45;
 }
 
-/* Alpha's distances, of the vertices of the fine mesh to its outline. */
+/* Alpha's distances, of the vertices of the fine mesh to the outline of the coarse one. */
 static bool upload_distances(renderer *r, figure *f, const sil_view *view) {
     const surface *s = &r->surfaces[f->surface];
+    const sil_mesh *mesh = r->surfaces[f->part->mesh].mesh;
     const unsigned kinds = SIL_SILHOUETTE | SIL_BOUNDARY;
     sil_distance_desc desc;
-    size_t count = sil_extract(s->mesh, NULL, view, kinds, NULL, 0);
+    sil_result result;
+    size_t count = sil_extract(mesh, NULL, view, kinds, NULL, 0);
     sil_edge *edges = malloc((count + 1) * sizeof *edges);
     float *distances = malloc((s->vertex_count + 1) * sizeof *distances);
-    bool ok = edges && distances ? true : no_memory(r);
-    if (ok)
-        sil_extract(s->mesh, NULL, view, kinds, edges, count);
+    sil_edge_tree *tree = sil_edge_tree_create(mesh, &result);
     memset(&desc, 0, sizeof desc);
     for (int i = 0; i < 9; ++i)
         desc.model[i] = (float)f->part->transform[i / 3 * 4 + i % 3];
+    bool ok = edges && distances && tree ? true : no_memory(r);
     if (ok) {
-        sil_result result = sil_distances(s->mesh, NULL, edges, count, &desc, 0, s->vertex_count, distances, NULL);
+        sil_extract(mesh, NULL, view, kinds, edges, count);
+        result = sil_edge_tree_build(tree, NULL, edges, count, &desc);
+        if (result == SIL_OK)
+            result = sil_distances_at(tree, s->positions, 0, s->vertex_count, distances, NULL);
         ok = result == SIL_OK ? true : broken(r, "distances: %s", sil_result_string(result));
     }
     if (ok) {
-        f->d_max = sil_max_distance(s->mesh, NULL, desc.model);
+        f->d_max = sil_max_distance(mesh, NULL, desc.model);
         glGenBuffers(1, &f->distance_buffer);
         glBindBuffer(GL_ARRAY_BUFFER, f->distance_buffer);
         glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)(s->vertex_count * sizeof *distances), distances, GL_STATIC_DRAW);
     }
+    sil_edge_tree_destroy(tree);
     free(edges);
     free(distances);
     return ok;
 }
 
-/* Whether a silhouette edge lies in a valley: then its surface hides it, from every eye. Keeps the turning points of
- * silhouettes clean, where a polygonal one runs back behind itself. */
-static bool in_valley(const surface *s, const sil_edge *e) {
-    if (!(e->kinds & SIL_SILHOUETTE) || e->face[1] == SIL_NONE)
-        return false;
-    const uint32_t *left = s->indices + 3 * (size_t)e->face[0], *right = s->indices + 3 * (size_t)e->face[1];
-    double p[3][3], n[3], highest = 0, lowest = 0;
-    for (int c = 0; c < 3; ++c)
-        for (int k = 0; k < 3; ++k)
-            p[c][k] = (double)s->positions[3 * left[c] + (size_t)k] - (double)s->positions[3 * left[0] + (size_t)k];
-    for (int k = 0; k < 3; ++k) {
-        int a = (k + 1) % 3, b = (k + 2) % 3;
-        n[k] = p[1][a] * p[2][b] - p[1][b] * p[2][a];
-    }
-    for (int c = 0; c < 3; ++c) {
-        double height = 0;
-        for (int k = 0; k < 3; ++k)
-            height +=
-                n[k] * ((double)s->positions[3 * right[c] + (size_t)k] - (double)s->positions[3 * left[0] + (size_t)k]);
-        highest = fmax(highest, height);
-        lowest = fmin(lowest, height);
-    }
-    return highest > -lowest;
-}
-
-static size_t drop_valleys(const surface *s, sil_edge *edges, size_t count) {
+/* A silhouette edge in a valley is hidden by its own surface, from every eye. Without them the turning points of
+ * silhouettes are clean, where a polygonal one runs back behind itself. */
+static size_t drop_valleys(sil_edge *edges, size_t count) {
     size_t kept = 0;
     for (size_t i = 0; i < count; ++i)
-        if (!in_valley(s, &edges[i]))
+        if ((edges[i].kinds & (SIL_SILHOUETTE | SIL_CONCAVE)) != (SIL_SILHOUETTE | SIL_CONCAVE))
             edges[kept++] = edges[i];
     return kept;
 }
@@ -592,7 +573,7 @@ static bool chain_lines(renderer *r, figure *f, const sil_mesh *mesh, sil_pose *
     for (int i = 0; i < 2; ++i) {
         size_t needed = 0, count = kinds[i] ? sil_extract(mesh, pose, view, kinds[i], f->edges, edges) : 0, strips;
         if (!(f->object.flags & TR_TWO_SIDED))
-            count = drop_valleys(&r->surfaces[f->part->mesh], f->edges, count);
+            count = drop_valleys(f->edges, count);
         strips = sil_chain(mesh, pose, f->edges, count, f->strips + f->strip_count, edges, f->strip_vertices + vertices,
                            2 * edges, &needed);
         if (needed == SIZE_MAX)

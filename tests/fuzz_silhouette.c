@@ -89,6 +89,7 @@ static void take_scene(source *s, scene *out) {
     out->desc.index_count = out->desc.indices ? 3 * faces + (take(s) > 250) : 0;
     out->desc.weld_distance = take(s) % 4 ? 0 : take_float(s);
     out->desc.crease_degrees = take(s) % 4 ? 0 : take_float(s);
+    out->desc.flags = take(s) % 4 ? SIL_MESH_HIERARCHY : SIL_MESH_NO_HIERARCHY;
 }
 
 static sil_view take_view(source *s) {
@@ -125,7 +126,7 @@ static size_t check_extract(const sil_mesh *mesh, sil_pose *pose, const sil_view
     for (i = 0; i < count; ++i) {
         require(edges[i].a < info.vertex_count && edges[i].b < info.vertex_count, "an edge's vertex is out of range");
         require(edges[i].edge < info.edge_count && (i == 0 || edges[i].edge > edges[i - 1].edge), "edges out of order");
-        require((edges[i].kinds & kinds) != 0 && edges[i].kinds < 16, "a kind that was not asked for");
+        require((edges[i].kinds & kinds & 15) != 0 && edges[i].kinds < 48, "a kind that was not asked for");
         odd[edges[i].a] ^= 1;
         odd[edges[i].b] ^= 1;
     }

@@ -577,6 +577,16 @@ static void check_same_edges(const sil_edge *a, const sil_edge *b, size_t count)
     }
 }
 
+static int compare_ends(const void *a, const void *b) {
+    const sil_edge *x = (const sil_edge *)a, *y = (const sil_edge *)b;
+    side p, q;
+    p.low = x->a < x->b ? x->a : x->b;
+    p.high = x->a < x->b ? x->b : x->a;
+    q.low = y->a < y->b ? y->a : y->b;
+    q.high = y->a < y->b ? y->b : y->a;
+    return compare_sides(&p, &q);
+}
+
 /* Does the triangle pass from a to b? */
 static int passes(const shape *s, uint32_t face, uint32_t a, uint32_t b) {
     const uint32_t *f = s->indices + 3 * (size_t)face;
@@ -603,6 +613,7 @@ static void check_views(const shape *s, int views, int posed) {
         assert_int_equal(count, count_free);
         check_same_edges(edges, edges_free, count);
         assert_int_equal(count, brute_silhouettes(s, view.eye, 0, truth));
+        qsort(edges, count, sizeof *edges, compare_ends); /* edges are numbered by their faces */
         for (i = 0; i < count; ++i) {
             const uint32_t *f = s->indices + 3 * (size_t)edges[i].face[0];
             assert_int_equal(truth[i].low, edges[i].a < edges[i].b ? edges[i].a : edges[i].b);
@@ -975,7 +986,7 @@ static void test_duplicates(void **state) {
     count = sil_extract(mesh, NULL, &view, SIL_SILHOUETTE | SIL_CREASE, edges, 64);
     assert_int_equal(count, 4);
     for (i = 0; i < count; ++i)
-        assert_int_equal(edges[i].kinds, SIL_SILHOUETTE);
+        assert_int_equal(edges[i].kinds & 15u, SIL_SILHOUETTE);
     sil_mesh_destroy(mesh);
     for (i = 0; i < box.index_count; i += 3) {
         const uint32_t *f = box.indices + i;
@@ -1273,7 +1284,7 @@ static size_t check_chains(const sil_edge *edges, size_t count, const chain_resu
         assert_true(s == 0 || strip->id > r->strips[s - 1].id);
         for (i = 0; i + 1 < strip->count; ++i, ++steps) {
             for (k = 0; k < count; ++k)
-                if (!used[k] && edges[k].kinds == strip->kinds &&
+                if (!used[k] && (edges[k].kinds & 15u) == strip->kinds &&
                     ((edges[k].a == v[i] && edges[k].b == v[i + 1]) || (edges[k].b == v[i] && edges[k].a == v[i + 1])))
                     break;
             assert_true(k < count);
@@ -1468,6 +1479,12 @@ static void test_pose(void **state) {
         rebuilt = mesh_of(&other);
         truth = extract_all(rebuilt, NULL, &view, SIL_SILHOUETTE, &again);
         assert_int_equal(count, again);
+        qsort(edges, count, sizeof *edges, compare_ends); /* faces at other places have other numbers */
+        qsort(truth, count, sizeof *truth, compare_ends);
+        for (i = 0; i < count; ++i) {
+            truth[i].edge = edges[i].edge;
+            truth[i].kinds = (truth[i].kinds & 15u) | (edges[i].kinds & 48u); /* convex or not at rest */
+        }
         check_same_edges(edges, truth, count);
         sil_mesh_destroy(rebuilt);
         shape_free(&other);
@@ -1610,6 +1627,234 @@ static void test_view_from_matrices(void **state) {
         assert_int_equal(sil_view_from_matrices(mvf, pf, &view), SIL_INVALID_ARGUMENT);
     }
     assert_int_equal(sil_view_from_matrices(NULL, NULL, NULL), SIL_INVALID_ARGUMENT);
+}
+
+/* ---- convex and concave ---- */
+
+/* Every edge of two faces against the sign of big integers, the same from both sides, whatever else the edge is. */
+static void check_folds(const shape *s, const sil_view *view, size_t counts[3]) {
+    sil_mesh_desc desc = desc_of(s);
+    sil_mesh *mesh;
+    size_t count, i;
+    sil_edge *edges;
+    desc.crease_degrees = -1; /* every edge that is not flat is a line */
+    mesh = sil_mesh_create(&desc, NULL);
+    edges = extract_all(mesh, NULL, view, 15, &count);
+    assert_int_equal(sil_extract(mesh, NULL, view, SIL_CONVEX | SIL_CONCAVE, NULL, 0), 0); /* cannot be asked for */
+    assert_int_equal(sil_extract(mesh, NULL, view, SIL_CREASE | 48, NULL, 0),
+                     sil_extract(mesh, NULL, view, SIL_CREASE, NULL, 0));
+    for (i = 0; i < count; ++i) {
+        int sign = 0, which, k;
+        for (which = 0; which < 2; ++which) {
+            const uint32_t *f = s->indices + 3 * edges[i].face[which], *g = s->indices + 3 * edges[i].face[1 - which];
+            for (k = 0; k < 3; ++k)
+                if (memcmp(s->positions + 3 * g[k], s->positions + 3 * edges[i].a, 12) != 0 &&
+                    memcmp(s->positions + 3 * g[k], s->positions + 3 * edges[i].b, 12) != 0) {
+                    const float *p = s->positions + 3 * g[k];
+                    const double eye[4] = {(double)p[0], (double)p[1], (double)p[2], 1};
+                    const int found =
+                        true_sign(s->positions + 3 * f[0], s->positions + 3 * f[1], s->positions + 3 * f[2], eye);
+                    assert_true(which == 0 || sign == found);
+                    sign = found;
+                }
+        }
+        assert_int_equal(edges[i].kinds & 48u, sign < 0 ? SIL_CONVEX : sign > 0 ? SIL_CONCAVE : 0);
+        ++counts[sign + 1];
+    }
+    free(edges);
+    sil_mesh_destroy(mesh);
+}
+
+static void test_convex_and_concave(void **state) {
+    const float sheet[12] = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, -1}; /* two triangles at the diagonal, folded */
+    const uint32_t folded[6] = {0, 1, 2, 0, 2, 3}, flipped[6] = {0, 1, 2, 0, 3, 2}, turned[6] = {0, 2, 1, 0, 3, 2};
+    size_t counts[3] = {0, 0, 0}, round, slight_folds = 0;
+    (void)state;
+    for (round = 0; round < 12; ++round) {
+        const sil_view view = view_at(random_in(-3, 3), random_in(-3, 3), random_in(-3, 3), 1);
+        shape s = round % 3 == 2 ? make_box(4) : make_torus(20, 12, 0.05, round % 3 ? 8 : 0);
+        size_t i;
+        for (i = 0; i < 3 * s.vertex_count && round == 3; ++i) /* nearly flat: double does not tell */
+            s.positions[i] = i % 3 == 2 ? s.positions[i] * 1e-12f : s.positions[i] + 1000;
+        check_folds(&s, round % 2 ? &view : NULL, counts);
+        shape_free(&s);
+    }
+    print_message("folds: %zu convex, %zu flat, %zu concave\n", counts[0], counts[1], counts[2]);
+    assert_true(counts[0] > 1000 && counts[2] > 500);
+    for (round = 0; round < 3; ++round) {
+        sil_mesh *mesh = mesh_from(sheet, 4, round == 0 ? folded : round == 1 ? flipped : turned, 6);
+        sil_edge edge;
+        assert_int_equal(sil_extract(mesh, NULL, NULL, SIL_CREASE, &edge, 1), 1);
+        assert_int_equal(edge.kinds, SIL_CREASE | (round == 0 ? SIL_CONVEX : round == 1 ? 0 : SIL_CONCAVE));
+        sil_mesh_destroy(mesh);
+    }
+    for (round = 0; round < 4; ++round) { /* a fold too small for double: seen as a silhouette from the first's plane */
+        const float z = round / 2 ? 1e-37f : -1e-37f;
+        const float slight[12] = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, z};
+        sil_mesh *mesh = mesh_from(slight, 4, folded, 6);
+        const sil_view view = view_at(round % 2 ? -5 : 5, round % 2 ? 5 : -5, 0, 1);
+        sil_edge edge;
+        if (sil_extract(mesh, NULL, &view, SIL_SILHOUETTE, &edge, 1)) {
+            assert_int_equal(edge.kinds, SIL_SILHOUETTE | (round / 2 ? SIL_CONCAVE : SIL_CONVEX));
+            ++slight_folds;
+        }
+        sil_mesh_destroy(mesh);
+    }
+    assert_int_equal(slight_folds, 2);
+}
+
+/* ---- the hierarchy ---- */
+
+/* Smooth, noisy, on a grid (edge-on faces), flat-sided, dirty. */
+static shape hierarchy_shape(int number) {
+    shape s = number == 3 ? make_box(60) : make_torus(300, 120, number == 1 ? 0.001 : 0, number == 2 ? 64 : 0);
+    size_t i;
+    if (number == 4)
+        for (i = 0; i + 30 < s.index_count; i += 1 + random_below(300)) {
+            const size_t at = i - i % 3;
+            switch (random_below(4)) {
+            case 0: /* a hole */
+                s.indices[at] = s.indices[at + 1];
+                break;
+            case 1: /* another face at an edge */
+                s.indices[at] = random_below(s.vertex_count);
+                break;
+            case 2: /* turned over */
+                s.indices[at] ^= s.indices[at + 1];
+                s.indices[at + 1] ^= s.indices[at];
+                s.indices[at] ^= s.indices[at + 1];
+                break;
+            default: /* no area */
+                memcpy(s.positions + 3 * s.indices[at], s.positions + 3 * s.indices[at + 1], 12);
+            }
+        }
+    return s;
+}
+
+/* Anywhere inside, near and far, on vertices, on the planes of faces, parallel along axes and any way. */
+static sil_view hierarchy_view(const shape *s, size_t number) {
+    sil_view v = view_at(random_in(-2, 2), random_in(-2, 2), random_in(-2, 2), number % 3 != 0);
+    const uint32_t *face = s->indices + 3 * random_below(s->index_count / 3);
+    const double far_off = random_in(0, 1) < 0.5 ? 1e3 : 1e9, t[2] = {random_in(-3, 3), floor(random_in(-8, 9))};
+    int k;
+    for (k = 0; k < 3; ++k) {
+        const double a = (double)s->positions[3 * face[0] + (uint32_t)k];
+        const double b = (double)s->positions[3 * face[1] + (uint32_t)k];
+        const double c = (double)s->positions[3 * face[2] + (uint32_t)k];
+        switch (number % 8) {
+        case 1:
+            v.eye[k] *= far_off;
+            break;
+        case 2: /* close to the surface */
+            v.eye[k] = a + 1e-3 * v.eye[k];
+            break;
+        case 3: /* along an axis */
+            v.eye[k] = k == (int)(number / 8 % 3);
+            break;
+        case 4: /* a vertex; as a direction when w is 0 */
+            v.eye[k] = a;
+            break;
+        case 5: /* on a face's plane, as near as double comes */
+            v.eye[k] = a + t[0] * (b - a) + (1 - t[0]) * (c - a);
+            break;
+        case 6: /* exactly on it where coordinates are short */
+            v.eye[k] = a + t[1] * (b - a);
+            break;
+        default:
+            break;
+        }
+    }
+    return v;
+}
+
+static void test_hierarchy(void **state) {
+    size_t taken = 0, number, lines = 0;
+    int which;
+    (void)state;
+    for (which = 0; which < 5; ++which) {
+        shape s = hierarchy_shape(which);
+        sil_mesh_desc desc = desc_of(&s);
+        sil_mesh *flat, *tree;
+        sil_pose *flat_pose, *tree_pose;
+        desc.flags = SIL_MESH_NO_HIERARCHY;
+        flat = sil_mesh_create(&desc, NULL);
+        flat_pose = sil_pose_create(flat, NULL);
+        desc.flags = SIL_MESH_HIERARCHY;
+        tree = sil_mesh_create(&desc, NULL);
+        tree_pose = sil_pose_create(tree, NULL);
+        assert_non_null(flat_pose);
+        assert_non_null(tree_pose);
+        assert_int_equal(sil_mesh_get_info(flat).hierarchy_bytes, 0);
+        assert_true(sil_mesh_get_info(tree).hierarchy_bytes > 10 * sil_mesh_get_info(tree).face_count);
+        for (number = 0; number < 120; ++number) {
+            const sil_view view = hierarchy_view(&s, number);
+            const unsigned kinds = number % 2 ? SIL_SILHOUETTE : 1 | random_below(16);
+            sil_edge *expected, *edges;
+            size_t expected_count, count;
+            expected = extract_all(flat, flat_pose, &view, kinds, &expected_count);
+            tree_pose->flat_left = tree_pose->flat_wait = 0; /* try it in every view */
+            count = sil_extract(tree, tree_pose, &view, kinds, NULL, 0);
+            assert_int_equal(count, expected_count);
+            taken += tree_pose->flat_wait == 0;
+            lines += count;
+            edges = (sil_edge *)malloc((count + 1) * sizeof *edges);
+            tree_pose->flat_left = 0;
+            assert_int_equal(sil_extract(tree, tree_pose, &view, kinds, edges, count), count);
+            assert_memory_equal(edges, expected, count * sizeof *edges);
+            free(edges);
+            free(expected);
+        }
+        sil_pose_destroy(flat_pose);
+        sil_pose_destroy(tree_pose);
+        sil_mesh_destroy(flat);
+        sil_mesh_destroy(tree);
+        shape_free(&s);
+    }
+    print_message("hierarchy: taken in %zu of 600 views, %zu lines\n", taken, lines);
+    assert_true(taken > 200);
+}
+
+/* Where silhouettes are dense it is tried more and more rarely, and comes back when they no longer are. */
+static void test_hierarchy_gives_way(void **state) {
+    shape s = make_torus(300, 120, 0.1, 0), smooth = make_torus(300, 120, 0, 0);
+    sil_mesh_desc desc = desc_of(&s);
+    sil_mesh *mesh;
+    sil_pose *pose;
+    size_t i, tries = 0;
+    (void)state;
+    mesh = sil_mesh_create(&desc, NULL); /* 108,000 edges: it has one by itself */
+    pose = sil_pose_create(mesh, NULL);
+    assert_true(sil_mesh_get_info(mesh).hierarchy_bytes > 0);
+    for (i = 0; i < 200; ++i) {
+        const sil_view view = view_at(3, 0.01 * (double)i, 1, 1);
+        tries += pose->flat_left == 0;
+        assert_true(sil_extract(mesh, pose, &view, SIL_SILHOUETTE, NULL, 0) > 1000);
+    }
+    assert_in_range(tries, 7, 9);
+    assert_int_equal(sil_pose_set(pose, smooth.positions, 0), SIL_OK); /* a pose has no hierarchy */
+    {
+        const sil_view view = view_at(3, 2, 1, 1);
+        shape_free(&s);
+        pose->flat_left = 0;
+        (void)sil_extract(mesh, pose, &view, SIL_SILHOUETTE, NULL, 0);
+        assert_int_equal(pose->flat_left, 0);
+    }
+    sil_pose_destroy(pose);
+    sil_mesh_destroy(mesh);
+    desc = desc_of(&smooth);
+    mesh = sil_mesh_create(&desc, NULL);
+    pose = sil_pose_create(mesh, NULL);
+    pose->flat_left = 5;
+    pose->flat_wait = 32;
+    for (i = 0; i < 10; ++i) {
+        const sil_view view = view_at(3, 0.01 * (double)i, 1, 1);
+        (void)sil_extract(mesh, pose, &view, SIL_SILHOUETTE, NULL, 0);
+    }
+    assert_int_equal(pose->flat_wait, 0);
+    assert_int_equal(pose->flat_left, 0);
+    sil_pose_destroy(pose);
+    sil_mesh_destroy(mesh);
+    shape_free(&smooth);
 }
 
 /* ---- distances ---- */
@@ -2326,6 +2571,7 @@ static void test_every_allocation_may_fail(void **state) {
             int failed = 0;
             c.fail_at = fail;
             desc.weld_distance = (float)weld * 0.01f;
+            desc.flags = SIL_MESH_HIERARCHY;
             desc.allocator.alloc_fn = counting_alloc;
             desc.allocator.free_fn = counting_free;
             desc.allocator.user = &c;
@@ -2534,6 +2780,9 @@ int main(void) {
         cmocka_unit_test(test_chains_of_borders),
         cmocka_unit_test(test_pose),
         cmocka_unit_test(test_view_from_matrices),
+        cmocka_unit_test(test_convex_and_concave),
+        cmocka_unit_test(test_hierarchy),
+        cmocka_unit_test(test_hierarchy_gives_way),
         cmocka_unit_test(test_distances),
         cmocka_unit_test(test_distance_rules),
         cmocka_unit_test(test_distance_tree),
