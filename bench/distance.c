@@ -9,15 +9,11 @@
    error_max is the largest difference from the distance to the nearest edge, all pairs in double, as a share of the
    largest distance of the view; `differ` counts vertices whose distance or nearest edge is not that of pairs.
    BENCH=quick takes fewer views. The file is build/bench/distance.csv unless given; its folder must exist. */
-#define _POSIX_C_SOURCE 200809L
 #define SIL_STATIC
 #define SILHOUETTE_IMPLEMENTATION
 #include "silhouette.h"
 
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <time.h>
+#include "bench.h"
 
 enum { PUBLISHED, PAIRS, TREE, TREE_AT, SUBJECTS };
 static const char *const subject_names[SUBJECTS] = {"published", "pairs", "tree", "tree_at"};
@@ -39,21 +35,6 @@ typedef struct results {
     double times[SUBJECTS][101], errors[SUBJECTS];
     size_t differ[SUBJECTS], pairs, bytes;
 } results;
-
-static void *need(size_t size) {
-    void *memory = malloc(size ? size : 1);
-    if (!memory) {
-        fputs("bench distance: out of memory\n", stderr);
-        exit(1);
-    }
-    return memory;
-}
-
-static double now_ms(void) {
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return 1000.0 * (double)t.tv_sec + 1e-6 * (double)t.tv_nsec;
-}
 
 /* A torus whose tube has bumps; none: smooth, with few silhouettes. */
 static model make_torus(const char *name, size_t rings, size_t sides, double bumps) {
@@ -156,11 +137,6 @@ static void run_view(const model *m, const sil_mesh *mesh, sil_pose *pose, sil_e
     r->pairs += count * m->vertex_count;
 }
 
-static int compare_doubles(const void *a, const void *b) {
-    const double x = *(const double *)a, y = *(const double *)b;
-    return x < y ? -1 : x > y;
-}
-
 static void report(FILE *csv, const model *m, results *r, size_t views) {
     int k;
     for (k = 0; k < SUBJECTS; ++k)
@@ -240,19 +216,9 @@ static void run_model(FILE *csv, model m, size_t views) {
 }
 
 int main(int argc, char **argv) {
-    const char *path = argc > 1 ? argv[1] : "build/bench/distance.csv", *mode = getenv("BENCH");
-    const size_t views = mode && strcmp(mode, "quick") == 0 ? 3 : 15;
-    FILE *csv = fopen(path, "w");
-    if (!csv) {
-        fprintf(stderr, "bench distance: cannot write %s\n", path);
-        return 1;
-    }
-    fputs("work,scene,size,subject,milliseconds,bytes,error_max\n", csv);
+    const size_t views = is_quick() ? 3 : 15;
+    FILE *csv = open_table(argc, argv, "build/bench/distance.csv");
     run_model(csv, make_torus("torus", 250, 144, 0), views);
     run_model(csv, make_torus("bumpy_torus", 250, 144, 0.06), views);
-    if (fclose(csv) != 0) {
-        fprintf(stderr, "bench distance: cannot write %s\n", path);
-        return 1;
-    }
-    return 0;
+    return close_table(csv);
 }

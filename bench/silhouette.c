@@ -6,14 +6,10 @@
      hierarchy  the same by the hierarchy, which gives way to the flat scan by itself; bytes are those it adds
    error_max is the largest number of edges, in every seventh view, that differ from those by exact signs asked for one at a time.
    BENCH=quick takes fewer views. The file is build/bench/silhouette.csv unless given; its folder must exist. */
-#define _POSIX_C_SOURCE 200809L
 #define SILHOUETTE_IMPLEMENTATION
 #include "silhouette.h"
 
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <time.h>
+#include "bench.h"
 
 typedef struct model {
     const char *name;
@@ -32,21 +28,6 @@ typedef struct published {
     float *normals;
     size_t edge_count, bytes;
 } published;
-
-static void *need(size_t size) {
-    void *memory = malloc(size ? size : 1);
-    if (!memory) {
-        fputs("bench silhouette: out of memory\n", stderr);
-        exit(1);
-    }
-    return memory;
-}
-
-static double now_ms(void) {
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return 1000.0 * (double)t.tv_sec + 1e-6 * (double)t.tv_nsec;
-}
 
 static model model_new(const char *name, size_t vertices, size_t triangles) {
     model m;
@@ -184,11 +165,6 @@ static size_t differing(const uint32_t *a, size_t a_count, const sil_edge *b, si
         }
     }
     return a_count + b_count - 2 * both;
-}
-
-static int compare_doubles(const void *a, const void *b) {
-    const double x = *(const double *)a, y = *(const double *)b;
-    return x < y ? -1 : x > y;
 }
 
 /* View number i: an eye moving in small steps, now on one radius, now on another; or along the axes and diagonals, in parallel. */
@@ -366,24 +342,13 @@ static void run_model(FILE *csv, model m, size_t views) {
 }
 
 int main(int argc, char **argv) {
-    const char *path = argc > 1 ? argv[1] : "build/bench/silhouette.csv", *mode = getenv("BENCH");
-    const int quick = mode && strcmp(mode, "quick") == 0;
-    const size_t views = quick ? 15 : 101;
-    FILE *csv = fopen(path, "w");
-    if (!csv) {
-        fprintf(stderr, "bench silhouette: cannot write %s\n", path);
-        return 1;
-    }
-    fputs("work,scene,size,subject,milliseconds,bytes,error_max\n", csv);
+    const size_t views = is_quick() ? 15 : 101;
+    FILE *csv = open_table(argc, argv, "build/bench/silhouette.csv");
     run_model(csv, make_torus(250, 134), views);
     run_model(csv, make_box(76), views);
     run_model(csv, make_blob("rough_blob", 183, 183, 0.3), views);
     run_model(csv, make_torus(800, 420), views);
     run_model(csv, make_blob("blob", 578, 578, 0.1), views);
     run_model(csv, make_box(240), views);
-    if (fclose(csv) != 0) {
-        fprintf(stderr, "bench silhouette: cannot write %s\n", path);
-        return 1;
-    }
-    return 0;
+    return close_table(csv);
 }

@@ -6,9 +6,7 @@
  * Milliseconds are medians of whole frames by the wall clock around glFinish. error_max is in 1/255 against the
  * reference in double precision, pixels near edges left out. */
 #include "../tests/gl_harness.h"
-
-#include <sys/stat.h>
-#include <time.h>
+#include "bench.h"
 
 #include "models.h"
 #include "scene.h"
@@ -21,17 +19,6 @@ typedef struct stage {
     harness_object objects[MAX_PARTS];
     size_t count, triangles;
 } stage;
-
-static double now_ms(void) {
-    struct timespec t;
-    timespec_get(&t, TIME_UTC);
-    return (double)t.tv_sec * 1e3 + (double)t.tv_nsec * 1e-6;
-}
-
-static int compare_doubles(const void *a, const void *b) {
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
 
 /* Seen from the front, a little from above, so that the model fills the picture. */
 static void look_at(stage *s, const scene *model) {
@@ -116,8 +103,7 @@ static double measure(harness *h, stage *s, int frames, double *error) {
     *error = ref_render(&s->scene, truth) ? harness_compare(&s->scene, truth, picture).max : -1;
     free(picture);
     free(truth);
-    qsort(times, (size_t)frames, sizeof times[0], compare_doubles);
-    return times[frames / 2];
+    return median(times, (size_t)frames);
 }
 
 static void run_scene(harness *h, const char *name, FILE *csv, bool quick) {
@@ -155,21 +141,12 @@ static void run_scene(harness *h, const char *name, FILE *csv, bool quick) {
 }
 
 int main(int argc, char **argv) {
-    const char *path = argc > 1 ? argv[1] : "build/bench/view_dependent.csv", *mode = getenv("BENCH");
-    bool quick = mode && strcmp(mode, "quick") == 0;
+    FILE *csv = open_table(argc, argv, "build/bench/view_dependent.csv");
     harness h;
     harness_open(&h, 450, false, NULL);
-    mkdir("build", 0777);
-    mkdir("build/bench", 0777);
-    FILE *csv = fopen(path, "w");
-    if (!csv) {
-        perror(path);
-        return 1;
-    }
     printf("driver: %s\n", h.context.renderer);
-    fprintf(csv, "work,scene,size,subject,milliseconds,bytes,error_max\n");
-    run_scene(&h, "crank", csv, quick);
-    run_scene(&h, "gearbox", csv, quick);
+    run_scene(&h, "crank", csv, is_quick());
+    run_scene(&h, "gearbox", csv, is_quick());
     harness_close(&h);
-    return fclose(csv) != 0;
+    return close_table(csv);
 }
