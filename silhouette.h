@@ -3639,8 +3639,9 @@ static void sil_i_points_sort(sil_i_points *points) {
     size_t i;
     int k, pass;
     sil_i_points_box(points, 0, points->count, low, high);
+    /* Coordinates are about 1 here. What is flat to within nothing has no places: its quotient would be infinite. */
     for (k = 0; k < 3; ++k)
-        scale[k] = high[k] > low[k] ? 31.9f / (high[k] - low[k]) : 0;
+        scale[k] = high[k] - low[k] > 1e-30f ? 31.9f / (high[k] - low[k]) : 0;
     for (i = 0; i < points->count; ++i) {
         uint32_t code = 0;
         for (k = 0; k < 3; ++k)

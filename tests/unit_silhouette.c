@@ -2108,6 +2108,29 @@ static void test_distance_tree(void **state) {
 }
 
 /* Points that are no vertices: anywhere, unaligned, not finite, and so far that squares overflow. */
+/* Points that lie in a plane but for a denormal: their box has places to sort them by in no more than two directions. */
+static void test_distances_at_flat_points(void **state) {
+    static const float corners[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+    static const float points[12] = {0.25f, 0, 0, 0.25f, 1e-42f, 0, 0.75f, 0, 1e-44f, 0.5f, 0.5f, 0};
+    const sil_distance_desc *as_it_is = NULL;
+    sil_mesh_desc desc;
+    sil_edge edges[3];
+    float distances[4];
+    (void)state;
+    memset(&desc, 0, sizeof desc);
+    desc.positions = corners;
+    desc.vertex_count = 3;
+    sil_mesh *mesh = sil_mesh_create(&desc, NULL);
+    sil_edge_tree *tree = sil_edge_tree_create(mesh, NULL);
+    assert_int_equal(sil_extract(mesh, NULL, NULL, SIL_BOUNDARY, edges, 3), 3);
+    assert_int_equal(sil_edge_tree_build(tree, NULL, edges, 3, as_it_is), SIL_OK);
+    assert_int_equal(sil_distances_at(tree, points, 0, 4, distances, NULL), SIL_OK);
+    for (int i = 0; i < 4; ++i)
+        assert_true(distances[i] < 1e-6f);
+    sil_edge_tree_destroy(tree);
+    sil_mesh_destroy(mesh);
+}
+
 static void test_distances_at(void **state) {
     shape torus = make_torus(30, 12, 0.02, 0);
     sil_mesh *mesh = mesh_of(&torus);
@@ -2787,6 +2810,7 @@ int main(void) {
         cmocka_unit_test(test_distance_rules),
         cmocka_unit_test(test_distance_tree),
         cmocka_unit_test(test_distances_at),
+        cmocka_unit_test(test_distances_at_flat_points),
         cmocka_unit_test(test_ribbon_pixels),
         cmocka_unit_test(test_ribbon_clipping),
         cmocka_unit_test(test_ribbon_values),
