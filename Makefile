@@ -75,7 +75,7 @@ check-shaders: build/dump_shaders ## validate the text of every shader stage for
 headers-alone: ## compile each header by itself: C and C++ by gcc, clang, tcc and mingw, all include orders
 	@tests/compile/headers_alone build/compile
 
-sanitize: build/embed_shaders ## unit, mock and GL tests under AddressSanitizer and UndefinedBehaviorSanitizer
+sanitize: build/embed_shaders ## unit, mock and GL tests and illustrate under AddressSanitizer and UndefinedBehaviorSanitizer
 	$(build) config=asan run-sanitized
 
 valgrind: $(unit_tests) $(mock_tests) | build/embed_shaders ## unit and mock tests under valgrind

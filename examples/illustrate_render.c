@@ -180,9 +180,8 @@ static bool find_edges_of(renderer *r, surface *s) {
     return true;
 }
 
-static bool upload_surface(renderer *r, surface *s) {
+static void upload_surface(surface *s) {
     size_t bytes = s->vertex_count * 3 * sizeof(float);
-    (void)r;
     glGenBuffers(1, &s->buffer);
     glBindBuffer(GL_ARRAY_BUFFER, s->buffer);
     glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)(3 * bytes), NULL, GL_STATIC_DRAW);
@@ -194,7 +193,6 @@ static bool upload_surface(renderer *r, surface *s) {
     glBindVertexArray(0);
     glBindBuffer(GL_COPY_WRITE_BUFFER, s->index_buffer);
     glBufferData(GL_COPY_WRITE_BUFFER, (GLsizeiptr)(s->index_count * sizeof(uint32_t)), s->indices, GL_STATIC_DRAW);
-    return true;
 }
 
 /* ---- which parts are transparent ------------------------------------------------------------------------------ */
@@ -612,7 +610,7 @@ static bool find_lines(renderer *r, figure *f) {
     return ok;
 }
 
-static bool upload_figure(figure *f, const surface *s) {
+static void upload_figure(figure *f, const surface *s) {
     size_t bytes = s->vertex_count * 3 * sizeof(float);
     glGenVertexArrays(1, &f->array);
     glBindVertexArray(f->array);
@@ -641,7 +639,6 @@ static bool upload_figure(figure *f, const surface *s) {
     glVertexAttribPointer(1, 2, GL_FLOAT, GL_FALSE, sizeof(sil_ribbon_vertex),
                           (const void *)offsetof(sil_ribbon_vertex, center_x));
     glBindVertexArray(0);
-    return true;
 }
 
 static bool prepare(renderer *r) {
@@ -652,10 +649,11 @@ static bool prepare(renderer *r) {
     for (size_t i = 0; i < r->figure_count; ++i) {
         figure *f = &r->figures[i];
         surface *s = &r->surfaces[f->surface];
-        if (!s->buffer && !upload_surface(r, s))
+        if (!s->buffer)
+            upload_surface(s);
+        if (!find_lines(r, f))
             return false;
-        if (!find_lines(r, f) || !upload_figure(f, s))
-            return false;
+        upload_figure(f, s);
         report(r, "lines", (double)(i + 1) / (double)r->figure_count);
     }
     r->cpu_ms = now_ms() - start;
