@@ -193,10 +193,12 @@ SIL_DEF const char *sil_result_string(sil_result result);
 
 /* Kinds of lines, as bits: which are asked for, which an edge is. */
 enum {
-    SIL_SILHOUETTE = 1, /* between a front face and a back face */
-    SIL_BOUNDARY = 2,   /* edge of one face */
-    SIL_CREASE = 4,     /* dihedral angle above crease_degrees; in a view: both faces in front, no silhouette */
-    SIL_NONMANIFOLD = 8 /* edge of three or more faces */
+    SIL_SILHOUETTE = 1,  /* between a front face and a back face */
+    SIL_BOUNDARY = 2,    /* edge of one face */
+    SIL_CREASE = 4,      /* dihedral angle above crease_degrees; in a view: both faces in front, no silhouette */
+    SIL_NONMANIFOLD = 8, /* edge of three or more faces */
+    SIL_PART_BORDER =
+        64 /* between faces of different parts (face_parts); in a view: both faces in front, no silhouette */
 };
 /* More about an edge of two faces, in sil_edge.kinds only: cannot be asked for, and makes no difference to strips. Exact,
    from the rest positions: each face's third corner lies behind or before the other's plane. Neither: in the plane, or
@@ -208,6 +210,9 @@ enum { SIL_LOG_ERROR = 1, SIL_LOG_WARNING = 2 }; /* level of a message */
 typedef void (*sil_log_fn)(int level, int code, const char *text, void *user);
 
 enum { SIL_MESH_NO_HIERARCHY = 1, SIL_MESH_HIERARCHY = 2 }; /* flags of a mesh: never one, or however small it is */
+enum {
+    SIL_MESH_ORIENT = 16
+}; /* flag of a mesh: wind faces as their neighbours are, and solids outward (DIRTY MESHES) */
 
 /* Both functions or neither. alloc_fn returns memory aligned for any type, or NULL. */
 typedef struct sil_allocator {
@@ -227,7 +232,10 @@ typedef struct sil_mesh_desc {
     sil_allocator allocator;
     sil_log_fn log_fn; /* NULL: no messages */
     void *log_user;
-    unsigned flags; /* 0: a hierarchy (see THE HIERARCHY) where the mesh has 60,000 edges or more */
+    unsigned flags;             /* 0: a hierarchy (see THE HIERARCHY) where the mesh has 60,000 edges or more */
+    float t_junction_distance;  /* > 0: borders are cut at vertices of other borders within that distance, so that they
+                                   meet, and faces thinner than it count as without area. In units of the positions */
+    const uint32_t *face_parts; /* one a triangle, any numbers: for SIL_PART_BORDER. NULL: there are no parts */
 } sil_mesh_desc;
 
 typedef struct sil_mesh_info {
@@ -243,6 +251,9 @@ typedef struct sil_mesh_info {
     size_t two_sided_face_count;   /* kept faces that were given in both windings */
     size_t flipped_edge_count;     /* edges of two faces that are wound in opposite senses */
     size_t dropped_face_count;     /* faces left out because of an index out of range or a vertex that is not finite */
+    size_t t_junction_count;       /* places where a border was cut at a vertex, for t_junction_distance */
+    size_t part_border_edge_count; /* edges between faces of different parts */
+    size_t reversed_face_count;    /* faces that SIL_MESH_ORIENT turned round */
     size_t component_count;        /* sets of faces connected by edges */
     size_t bytes;                  /* memory held by the mesh */
     size_t hierarchy_bytes;        /* of these the hierarchy's; 0: there is none */
@@ -267,6 +278,16 @@ SIL_DEF void sil_pose_destroy(sil_pose *pose); /* before its mesh; NULL is fine 
 SIL_DEF sil_result sil_pose_set(sil_pose *pose, const float *positions, size_t stride);
 /* Makes room for sil_chain with so many edges, so that it allocates nothing later. */
 SIL_DEF sil_result sil_pose_reserve(sil_pose *pose, size_t edge_count);
+
+/* A dead zone for all later views of the pose: a face whose plane is within an angle of the line of sight to the middle
+   of its corners counts as back, or, with SIL_ZONE_REMEMBER, keeps the sign that it had when it was last outside of the
+   zone (at first, its exact one). It stills the noise of surfaces seen edge-on, such as a pipe looked down. Faces are
+   still told apart once each, so that loops stay closed; faces outside of the zone have their exact signs, only where
+   the zone ends is rounded. sine: of that angle, below 1; 0: no zone, the default. Each call forgets. The flat scan is
+   used then, not the hierarchy. Allocates when first asked to remember. SIL_INVALID_ARGUMENT, SIL_OUT_OF_MEMORY (nothing
+   changed). */
+enum { SIL_ZONE_REMEMBER = 1 };
+SIL_DEF sil_result sil_pose_set_dead_zone(sil_pose *pose, double sine, unsigned flags);
 
 /* The eye in the mesh's own coordinates: {x, y, z, 1} a point, {x, y, z, 0} a direction from the mesh toward the eye.
    */
@@ -419,10 +440,12 @@ SIL_DEF size_t sil_ribbons(const sil_mesh *mesh, const sil_pose *pose, const sil
 #define SIL_I_LANES 8u     /* segments whose distances are computed at a time */
 #define SIL_I_LEVELS 12    /* of a tree: 8^12 leaves are more than there can be */
 #define SIL_I_MANY 128u    /* in edge_kinds: the edge has more than two faces, listed in many_* */
-#define SIL_I_LINES 15u    /* the kinds that can be asked for */
+#define SIL_I_LINES 79u    /* the kinds that can be asked for */
 #define SIL_I_FOLDS 48u    /* SIL_CONVEX and SIL_CONCAVE */
 #define SIL_I_TWO_SIDED 1u /* in face_flags */
-#define SIL_I_NO_AREA 2u   /* in face_flags: corners exactly on a line */
+#define SIL_I_NO_AREA 2u   /* in face_flags: corners exactly on a line, or nearer to one than t_junction_distance */
+#define SIL_I_PIECE 4u     /* in face_flags: of a face that was cut, not the one whose sign they all take */
+#define SIL_I_BORROWS 6u   /* in face_flags: takes the sign of another face */
 #define SIL_I_PI 3.14159265358979323846
 
 /* Positions and what follows from them: one in the mesh (rest), one in a pose that was set. */
@@ -450,8 +473,8 @@ struct sil_mesh {
     uint32_t *edge_face[2]; /* the edge's first two faces; the same one twice where it has one */
     unsigned char *edge_kinds;
     uint32_t *flat_face,
-        *flat_root; /* faces with SIL_I_NO_AREA, rising, and the face whose sign each takes, or SIL_NONE */
-    size_t flat_count;
+        *flat_root; /* faces with SIL_I_BORROWS, rising, and the face whose sign each takes, or SIL_NONE */
+    size_t flat_count, piece_count;
     uint32_t *many_edge, *many_first, *many_face; /* edges with SIL_I_MANY, rising, and their faces */
     size_t many_count;
     sil_i_shape rest;
@@ -468,6 +491,9 @@ struct sil_pose {
     sil_i_shape shape; /* allocated by the first sil_pose_set */
     void *scratch;
     size_t scratch_size;
+    double zone_sine;         /* 0: there is no dead zone */
+    unsigned char *zone_last; /* of each face: 0 not known, 1 back, 2 front; NULL: never asked for */
+    int zone_remembers;
 };
 
 SIL_DEF const char *sil_result_string(sil_result result) {
@@ -911,7 +937,7 @@ static int sil_i_front_unsure(const sil_mesh *mesh, const sil_i_shape *shape, co
     int i, sign;
     if (!eye->valid)
         return 0;
-    if (mesh->face_flags[face] & SIL_I_NO_AREA) {
+    if (mesh->face_flags[face] & SIL_I_BORROWS) {
         face = sil_i_root(mesh, face);
         if (face == SIL_NONE)
             return 0;
@@ -1406,7 +1432,7 @@ static void sil_i_build_planes(sil_mesh *mesh, sil_i_heap *heap) {
     for (f = 0; f < mesh->face_count; ++f) {
         const uint32_t *corner = mesh->corner + 3 * f;
         const float *p = mesh->rest.position;
-        if (sil_i_face_plane(mesh, &mesh->rest, f))
+        if (sil_i_face_plane(mesh, &mesh->rest, f) || mesh->face_flags[f] & SIL_I_BORROWS)
             continue;
         if (sil_i_collinear(p + 3 * (size_t)corner[0], p + 3 * (size_t)corner[1], p + 3 * (size_t)corner[2])) {
             mesh->face_flags[f] |= SIL_I_NO_AREA;
@@ -1556,6 +1582,561 @@ static void sil_i_build_edges(sil_mesh *mesh, sil_i_heap *heap, sil_i_heap *scra
     sil_i_give(&scratch->allocator, starts);
 }
 
+/* ---- a tree over boxes ---- */
+
+typedef struct sil_i_bounds {
+    double low[3], high[3];
+} sil_i_bounds;
+
+/* Items in the order of a space-filling curve, their boxes, and boxes of eight boxes each up to a single one: box k of a
+   level is around boxes 8 * k ... of the level below. For what is asked while a mesh is made, and for containment. */
+typedef struct sil_i_bvh {
+    sil_i_bounds *box;
+    uint32_t *item;
+    size_t count, first[SIL_I_LEVELS];
+    unsigned levels; /* above the items' own */
+} sil_i_bvh;
+
+static void sil_i_bounds_none(sil_i_bounds *b) {
+    int k;
+    for (k = 0; k < 3; ++k) {
+        b->low[k] = 1e300;
+        b->high[k] = -1e300;
+    }
+}
+
+static void sil_i_bounds_add(sil_i_bounds *b, const sil_i_bounds *other) {
+    int k;
+    for (k = 0; k < 3; ++k) {
+        b->low[k] = other->low[k] < b->low[k] ? other->low[k] : b->low[k];
+        b->high[k] = other->high[k] > b->high[k] ? other->high[k] : b->high[k];
+    }
+}
+
+static void sil_i_bounds_point(sil_i_bounds *b, const float *p) {
+    sil_i_bounds point;
+    int k;
+    for (k = 0; k < 3; ++k)
+        point.low[k] = point.high[k] = (double)p[k];
+    sil_i_bounds_add(b, &point);
+}
+
+static void sil_i_bvh_give(const sil_allocator *allocator, sil_i_bvh *tree) {
+    sil_i_give(allocator, tree->box);
+    sil_i_give(allocator, tree->item);
+    memset(tree, 0, sizeof *tree);
+}
+
+/* Morton codes of the boxes' middles, with their numbers below. */
+static void sil_i_bvh_codes(const sil_i_bounds *boxes, size_t count, uint64_t *codes) {
+    sil_i_bounds all;
+    double size = 0;
+    size_t i;
+    int k;
+    sil_i_bounds_none(&all);
+    for (i = 0; i < count; ++i)
+        sil_i_bounds_add(&all, &boxes[i]);
+    for (k = 0; k < 3; ++k)
+        size = sil_i_larger(size, all.high[k] - all.low[k]);
+    for (i = 0; i < count; ++i) {
+        uint32_t code = 0;
+        for (k = 0; k < 3; ++k) {
+            const double middle = 0.5 * (boxes[i].low[k] + boxes[i].high[k]) - all.low[k];
+            const double at = size > 0 ? middle / size * 1023 : 0;
+            code |= sil_i_spread_bits((uint32_t)(at < 0 ? 0 : at > 1023 ? 1023 : at)) << k;
+        }
+        codes[i] = (uint64_t)code << 32 | i;
+    }
+}
+
+/* Over the boxes, whose numbers are the items; they are not needed afterwards. Fails as the heap does. */
+static void sil_i_bvh_make(sil_i_bvh *tree, const sil_i_bounds *boxes, size_t count, sil_i_heap *heap) {
+    uint64_t *codes = (uint64_t *)sil_i_take(heap, count, sizeof(uint64_t));
+    uint64_t *spare = (uint64_t *)sil_i_take(heap, count, sizeof(uint64_t));
+    size_t i, width;
+    memset(tree, 0, sizeof *tree);
+    tree->count = count;
+    tree->box = (sil_i_bounds *)sil_i_take(heap, count + count / 7 + SIL_I_LEVELS, sizeof(sil_i_bounds));
+    tree->item = sil_i_take_words(heap, count);
+    if (!heap->failed) {
+        sil_i_bvh_codes(boxes, count, codes);
+        sil_i_sort_words(codes, spare, count, 32, 62);
+        for (i = 0; i < count; ++i) {
+            tree->item[i] = (uint32_t)(codes[i] & 0xffffffffu);
+            tree->box[i] = boxes[tree->item[i]];
+        }
+        for (width = count; width > 1; width = (width + 7) / 8) {
+            const size_t below = tree->first[tree->levels];
+            sil_i_bounds *above = tree->box + below + width;
+            tree->first[++tree->levels] = below + width;
+            for (i = 0; i < width; ++i) {
+                if (i % 8 == 0)
+                    sil_i_bounds_none(&above[i / 8]);
+                sil_i_bounds_add(&above[i / 8], &tree->box[below + i]);
+            }
+        }
+    }
+    sil_i_give(&heap->allocator, codes);
+    sil_i_give(&heap->allocator, spare);
+}
+
+/* A walk to all items whose boxes come within `pad` of a segment: a few more may come up, none is missed. */
+typedef struct sil_i_walk {
+    const sil_i_bvh *tree;
+    double from[3], along[3], pad;
+    uint32_t stack[8 * SIL_I_LEVELS];
+    unsigned char level[8 * SIL_I_LEVELS];
+    size_t top;
+} sil_i_walk;
+
+static void sil_i_walk_begin(sil_i_walk *walk, const sil_i_bvh *tree, const double *from, const double *to,
+                             double pad) {
+    int k;
+    walk->tree = tree;
+    walk->pad = pad;
+    for (k = 0; k < 3; ++k) {
+        walk->from[k] = from[k];
+        walk->along[k] = to[k] - from[k];
+    }
+    walk->stack[0] = 0;
+    walk->level[0] = (unsigned char)tree->levels;
+    walk->top = tree->count != 0;
+}
+
+/* By slabs. Along an axis nothing is rounded but the place where the box begins, which allows for that. */
+static int sil_i_walk_meets(const sil_i_walk *walk, const sil_i_bounds *box) {
+    double begin = 0, end = 1;
+    int k;
+    for (k = 0; k < 3; ++k) {
+        const double low = box->low[k] - walk->pad - walk->from[k], high = box->high[k] + walk->pad - walk->from[k];
+        const double d = walk->along[k];
+        double t0, t1;
+        if ((low > 0 && high > 0 && d <= 0) || (low < 0 && high < 0 && d >= 0))
+            return 0;
+        if (!(sil_i_abs(d) > 1e-300))
+            continue;
+        t0 = (d > 0 ? low : high) / d - 1e-9;
+        t1 = (d > 0 ? high : low) / d + 1e-9;
+        begin = t0 > begin ? t0 : begin;
+        end = t1 < end ? t1 : end;
+    }
+    return begin <= end;
+}
+
+/* The next item, or SIL_NONE. */
+static uint32_t sil_i_walk_next(sil_i_walk *walk) {
+    const sil_i_bvh *tree = walk->tree;
+    while (walk->top) {
+        const unsigned level = walk->level[--walk->top];
+        const size_t at = walk->stack[walk->top];
+        size_t width, i;
+        if (!sil_i_walk_meets(walk, &tree->box[tree->first[level] + at]))
+            continue;
+        if (!level)
+            return tree->item[at];
+        width = tree->first[level] - tree->first[level - 1];
+        for (i = 8 * at; i < 8 * at + 8 && i < width; ++i) {
+            walk->stack[walk->top] = (uint32_t)i;
+            walk->level[walk->top++] = (unsigned char)(level - 1);
+        }
+    }
+    return SIL_NONE;
+}
+
+/* ---- cracks and slivers ---- */
+
+/* Where a border is cut: side of a face, how far along it, at which vertex. */
+typedef struct sil_i_slit {
+    double along;
+    uint32_t side, vertex;
+} sil_i_slit;
+
+/* The longest side of a face with area, whatever the order of the faces. */
+static int sil_i_longest_side(const sil_mesh *mesh, uint32_t face) {
+    double longest = -1;
+    uint32_t best[2] = {0, 0};
+    int i, k, side = 0;
+    for (i = 0; i < 3; ++i) {
+        double square = 0;
+        uint32_t v[2];
+        sil_i_side(mesh, 3 * face + (uint32_t)i, v);
+        for (k = 0; k < 3; ++k) {
+            const double d = (double)mesh->rest.position[3 * (size_t)v[1] + (size_t)k] -
+                             (double)mesh->rest.position[3 * (size_t)v[0] + (size_t)k];
+            square += d * d;
+        }
+        if (square > longest || (square >= longest && (v[0] < best[0] || (v[0] == best[0] && v[1] < best[1])))) {
+            longest = square;
+            memcpy(best, v, sizeof best);
+            side = i;
+        }
+    }
+    return side;
+}
+
+/* Twice the area of three points, squared. */
+static double sil_i_area_square(const sil_mesh *mesh, const uint32_t *corner) {
+    double n[3], error;
+    sil_i_normal(&mesh->rest, corner, n, &error);
+    return n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
+}
+
+/* Faces whose third corner is nearer to the longest side than the distance are as those without area. */
+static void sil_i_mark_slivers(sil_mesh *mesh, double distance) {
+    size_t f;
+    int k;
+    for (f = 0; f < mesh->face_count; ++f) {
+        double length = 0;
+        uint32_t v[2];
+        sil_i_side(mesh, 3 * (uint32_t)f + (uint32_t)sil_i_longest_side(mesh, (uint32_t)f), v);
+        for (k = 0; k < 3; ++k) {
+            const double d = (double)mesh->rest.position[3 * (size_t)v[1] + (size_t)k] -
+                             (double)mesh->rest.position[3 * (size_t)v[0] + (size_t)k];
+            length += d * d;
+        }
+        if (sil_i_area_square(mesh, mesh->corner + 3 * f) <= distance * distance * length) {
+            mesh->face_flags[f] |= SIL_I_NO_AREA;
+            ++mesh->flat_count;
+        }
+    }
+}
+
+/* How far along the side the vertex is, if it is within the distance of its inside; else -1. The ends are the ends. */
+static double sil_i_cut_at(const sil_mesh *mesh, const uint32_t end[2], uint32_t vertex, double distance) {
+    const float *p = mesh->rest.position + 3 * (size_t)end[0], *q = mesh->rest.position + 3 * (size_t)end[1];
+    const float *v = mesh->rest.position + 3 * (size_t)vertex;
+    double length = 0, along = 0, to_p = 0, to_q = 0, aside = 0, t;
+    int k;
+    for (k = 0; k < 3; ++k) {
+        const double d = (double)q[k] - (double)p[k], e = (double)v[k] - (double)p[k], f = (double)v[k] - (double)q[k];
+        length += d * d;
+        along += d * e;
+        to_p += e * e;
+        to_q += f * f;
+    }
+    if (!(along > 0) || !(along < length) || !(to_p > distance * distance) || !(to_q > distance * distance))
+        return -1;
+    t = along / length;
+    for (k = 0; k < 3; ++k) {
+        const double d = (double)v[k] - (double)p[k] - t * ((double)q[k] - (double)p[k]);
+        aside += d * d;
+    }
+    return aside <= distance * distance ? t : -1;
+}
+
+/* The cuts of borders, from sides sorted by their vertices; of faces with area only. With `cuts` NULL they are counted.
+   `tree` is over the vertices listed in `borders`. */
+static size_t sil_i_find_cuts(const sil_mesh *mesh, const uint32_t *sides, const sil_i_bvh *tree,
+                              const uint32_t *borders, double distance, sil_i_slit *cuts) {
+    size_t i, j, count = 0;
+    int k;
+    for (i = 0; i < 3 * mesh->face_count; i = j) {
+        uint32_t end[2], found;
+        double p[2][3];
+        sil_i_walk walk;
+        j = sil_i_run_end(mesh, sides, i);
+        if (j - i > 1 || mesh->face_flags[sides[i] / 3] & SIL_I_NO_AREA)
+            continue;
+        end[0] = mesh->corner[sides[i]];
+        end[1] = mesh->corner[sides[i] % 3 == 2 ? sides[i] - 2 : sides[i] + 1];
+        for (k = 0; k < 3; ++k) {
+            p[0][k] = (double)mesh->rest.position[3 * (size_t)end[0] + (size_t)k];
+            p[1][k] = (double)mesh->rest.position[3 * (size_t)end[1] + (size_t)k];
+        }
+        sil_i_walk_begin(&walk, tree, p[0], p[1], distance);
+        while ((found = sil_i_walk_next(&walk)) != SIL_NONE) {
+            const double t = sil_i_cut_at(mesh, end, borders[found], distance);
+            if (t < 0)
+                continue;
+            if (cuts) {
+                cuts[count].along = t;
+                cuts[count].side = sides[i];
+                cuts[count].vertex = borders[found];
+            }
+            ++count;
+        }
+    }
+    return count;
+}
+
+/* Sorts cuts by side, then along it. */
+static int sil_i_cut_before(const sil_i_slit *a, const sil_i_slit *b) {
+    if (a->side != b->side)
+        return a->side < b->side;
+    if (a->along < b->along || b->along < a->along)
+        return a->along < b->along;
+    return a->vertex < b->vertex;
+}
+
+static void sil_i_sort_cuts(sil_i_slit *cuts, sil_i_slit *spare, size_t count) {
+    size_t width, i, left, right;
+    for (width = 1; width < count; width *= 2) {
+        for (i = 0; i < count; i += 2 * width) {
+            const size_t middle = i + width < count ? i + width : count;
+            const size_t end = middle + width < count ? middle + width : count;
+            size_t at = i;
+            for (left = i, right = middle; left < middle || right < end; ++at) {
+                const int take_right = left == middle || (right < end && sil_i_cut_before(&cuts[right], &cuts[left]));
+                spare[at] = cuts[take_right ? right++ : left++];
+            }
+        }
+        memcpy(cuts, spare, count * sizeof *cuts);
+    }
+}
+
+/* Corners of the pieces of one face, and the one of them with the largest area first. */
+typedef struct sil_i_pieces {
+    const sil_mesh *mesh;
+    uint32_t *corner;
+    size_t count;
+    double largest;
+} sil_i_pieces;
+
+static void sil_i_add_piece(sil_i_pieces *out, uint32_t a, uint32_t b, uint32_t c) {
+    uint32_t *corner = out->corner + 3 * out->count;
+    double area;
+    int k;
+    corner[0] = a;
+    corner[1] = b;
+    corner[2] = c;
+    area = sil_i_area_square(out->mesh, corner);
+    if (out->count++ == 0 || area > out->largest) {
+        for (k = 0; k < 3; ++k)
+            sil_i_swap_words(&out->corner[k], &corner[k]);
+        out->largest = area;
+    }
+}
+
+/* Pieces from an apex to a way from one corner over cuts to another. */
+static void sil_i_add_fan(sil_i_pieces *out, uint32_t apex, uint32_t from, const sil_i_slit *cuts, size_t count,
+                          uint32_t to) {
+    size_t i;
+    for (i = 0; i < count; ++i) {
+        sil_i_add_piece(out, apex, from, cuts[i].vertex);
+        from = cuts[i].vertex;
+    }
+    sil_i_add_piece(out, apex, from, to);
+}
+
+/* A face with cuts on sides 0, 1, 2 (count[0] of them, and so on, all in a row) to pieces of which none is flat unless
+   the face is. */
+static void sil_i_cut_face(sil_i_pieces *out, const uint32_t *corner, const sil_i_slit *cuts, const size_t count[3]) {
+    int s = 0, k;
+    const sil_i_slit *first[3];
+    uint32_t c0, c1, c2;
+    for (k = 0; k < 3; ++k) {
+        first[k] = cuts;
+        cuts += count[k];
+    }
+    while (!count[s])
+        ++s; /* turned so that side 0 has cuts */
+    c0 = corner[s];
+    c1 = corner[(s + 1) % 3];
+    c2 = corner[(s + 2) % 3];
+    if (count[s] > 1)
+        sil_i_add_fan(out, c2, first[s][0].vertex, first[s] + 1, count[s] - 2, first[s][count[s] - 1].vertex);
+    sil_i_add_fan(out, first[s][count[s] - 1].vertex, c1, first[(s + 1) % 3], count[(s + 1) % 3], c2);
+    sil_i_add_fan(out, first[s][0].vertex, c2, first[(s + 2) % 3], count[(s + 2) % 3], c0);
+}
+
+/* Replaces each face that has cuts by its pieces, which share its source: the largest first, the others borrow its sign,
+   so that the lines between pieces are never any. */
+static void sil_i_cut_faces(sil_mesh *mesh, const sil_i_slit *cuts, size_t cut_count, size_t face_bytes,
+                            sil_i_heap *heap) {
+    const size_t faces = mesh->face_count + cut_count;
+    uint32_t *corner = sil_i_take_words(heap, 3 * faces), *source = sil_i_take_words(heap, faces);
+    unsigned char *flags = sil_i_take_bytes(heap, faces);
+    size_t f, i, k, at = 0;
+    for (f = 0, i = 0; f < mesh->face_count && !heap->failed; ++f) {
+        size_t count[3] = {0, 0, 0}, all = i;
+        sil_i_pieces out;
+        while (all < cut_count && cuts[all].side / 3 == f)
+            ++count[cuts[all++].side % 3];
+        memset(&out, 0, sizeof out);
+        out.mesh = mesh;
+        out.corner = corner + 3 * at;
+        if (all > i)
+            sil_i_cut_face(&out, mesh->corner + 3 * f, cuts + i, count);
+        else
+            sil_i_add_piece(&out, mesh->corner[3 * f], mesh->corner[3 * f + 1], mesh->corner[3 * f + 2]);
+        for (k = 0; k < out.count; ++k) {
+            source[at + k] = mesh->source[f];
+            flags[at + k] = (unsigned char)(mesh->face_flags[f] | (k ? SIL_I_PIECE : 0));
+        }
+        at += out.count;
+        i = all;
+    }
+    sil_i_give(&heap->allocator, mesh->corner);
+    sil_i_give(&heap->allocator, mesh->source);
+    sil_i_give(&heap->allocator, mesh->face_flags);
+    heap->bytes -= face_bytes;
+    mesh->corner = corner;
+    mesh->source = source;
+    mesh->face_flags = flags;
+    mesh->face_count = heap->failed ? 0 : at;
+    mesh->piece_count = cut_count;
+    mesh->info.t_junction_count = cut_count;
+}
+
+/* The vertices of borders, as boxes of no size. Returns their number. */
+static size_t sil_i_list_borders(const sil_mesh *mesh, const uint32_t *sides, unsigned char *listed, uint32_t *borders,
+                                 sil_i_bounds *boxes) {
+    size_t i, j, count = 0;
+    uint32_t v[2];
+    int k;
+    for (i = 0; i < 3 * mesh->face_count; i = j) {
+        j = sil_i_run_end(mesh, sides, i);
+        sil_i_side(mesh, sides[i], v);
+        for (k = 0; k < 2 && j - i == 1; ++k)
+            if (!listed[v[k]]) {
+                listed[v[k]] = 1;
+                sil_i_bounds_none(&boxes[count]);
+                sil_i_bounds_point(&boxes[count], mesh->rest.position + 3 * (size_t)v[k]);
+                borders[count++] = v[k];
+            }
+    }
+    return count;
+}
+
+/* T-junctions: sides of one face only are cut at the vertices of others that lie on them. face_bytes: what the arrays
+   of faces take. */
+static void sil_i_close_cracks(sil_mesh *mesh, double distance, size_t face_bytes, sil_i_heap *heap,
+                               sil_i_heap *scratch) {
+    uint32_t *first = sil_i_take_words(scratch, 3 * mesh->face_count);
+    uint32_t *sides = sil_i_take_words(scratch, 3 * mesh->face_count);
+    size_t *starts = (size_t *)sil_i_take(scratch, mesh->unique_count, sizeof(size_t)), count;
+    uint32_t *borders = sil_i_take_words(scratch, mesh->unique_count);
+    unsigned char *listed = sil_i_take_bytes(scratch, mesh->unique_count);
+    sil_i_bounds *boxes = (sil_i_bounds *)sil_i_take(scratch, mesh->unique_count, sizeof(sil_i_bounds));
+    sil_i_bvh tree;
+    memset(&tree, 0, sizeof tree);
+    sil_i_mark_slivers(mesh, distance);
+    if (!scratch->failed) {
+        sil_i_sort_sides(mesh, NULL, first, 1, starts);
+        sil_i_sort_sides(mesh, first, sides, 0, starts);
+        count = sil_i_list_borders(mesh, sides, listed, borders, boxes);
+        sil_i_bvh_make(&tree, boxes, count, scratch);
+    }
+    if (!scratch->failed && (count = sil_i_find_cuts(mesh, sides, &tree, borders, distance, NULL)) > 0) {
+        sil_i_slit *cuts = (sil_i_slit *)sil_i_take(scratch, 2 * count, sizeof(sil_i_slit));
+        if (mesh->face_count + count >= 0x10000000u)
+            heap->failed = 1;
+        if (!scratch->failed && !heap->failed) {
+            (void)sil_i_find_cuts(mesh, sides, &tree, borders, distance, cuts);
+            sil_i_sort_cuts(cuts, cuts + count, count);
+            sil_i_cut_faces(mesh, cuts, count, face_bytes, heap);
+        }
+        sil_i_give(&scratch->allocator, cuts);
+    }
+    sil_i_bvh_give(&scratch->allocator, &tree);
+    sil_i_give(&scratch->allocator, first);
+    sil_i_give(&scratch->allocator, sides);
+    sil_i_give(&scratch->allocator, starts);
+    sil_i_give(&scratch->allocator, borders);
+    sil_i_give(&scratch->allocator, listed);
+    sil_i_give(&scratch->allocator, boxes);
+}
+
+/* ---- rays, exactly ---- */
+
+/* Sign of det[b-a, c-a, p-w*a] for a point (w = 1) or a direction (w = 0) whose coordinates are floats. */
+static int sil_i_side_of(const float *a, const float *b, const float *c, const float *p, int w) {
+    sil_i_eye eye;
+    int k, sign, finite = 1;
+    memset(&eye, 0, sizeof eye);
+    for (k = 0; k < 3; ++k) {
+        eye.e[k] = (double)p[k];
+        eye.number[k] = sil_i_from_double(eye.e[k], &finite);
+    }
+    eye.e[3] = w;
+    eye.number[3].mantissa = (uint64_t)w;
+    sign = sil_i_filtered_sign(a, b, c, &eye);
+    if (!sign && !sil_i_plainly_zero(a, b, c, &eye))
+        sign = sil_i_exact_sign(a, b, c, &eye);
+    return sign;
+}
+
+/* On which side of the line a b a point lies, seen along an axis. A point on the line counts as moved by next to
+   nothing along the one other axis, and by still less along the next: of the faces at an edge or a vertex that a ray
+   meets, it then passes through one, or through none where they fold. 0: the line is a point. */
+static int sil_i_side_along(const float *a, const float *b, const float *point, int axis) {
+    const int i = (axis + 1) % 3, j = (axis + 2) % 3;
+    float direction[3] = {0, 0, 0};
+    int sign;
+    direction[axis] = 1;
+    sign = sil_i_side_of(a, b, point, direction, 0);
+    if (!sign)
+        sign = (a[j] > b[j]) - (a[j] < b[j]);
+    if (!sign)
+        sign = (b[i] > a[i]) - (b[i] < a[i]);
+    return sign;
+}
+
+/* How a ray from a point along an axis meets a face: 1 it passes through, 0 it does not, 2 the point lies in the face. */
+static int sil_i_ray_meets(const sil_mesh *mesh, uint32_t face, const float *point, int axis) {
+    const uint32_t *corner = mesh->corner + 3 * (size_t)face;
+    const float *p[3];
+    int k, turn = 0, height;
+    for (k = 0; k < 3; ++k)
+        p[k] = mesh->rest.position + 3 * (size_t)corner[k];
+    for (k = 0; k < 3; ++k) {
+        const int sign = sil_i_side_along(p[k], p[(k + 1) % 3], point, axis);
+        if (!sign || (turn && sign != turn))
+            return 0;
+        turn = sign;
+    }
+    height = sil_i_side_of(p[0], p[1], p[2], point, 1);
+    return !height ? 2 : height == -turn;
+}
+
+/* A ray among the faces of a mesh that a tree is over. */
+typedef struct sil_i_ray {
+    sil_i_walk walk;
+    const sil_mesh *mesh;
+    const float *point;
+    int axis, touches; /* touches: the point lies in a face */
+} sil_i_ray;
+
+static void sil_i_ray_begin(sil_i_ray *ray, const sil_mesh *mesh, const sil_i_bvh *tree, const float *point, int axis) {
+    double from[3], to[3];
+    int k;
+    for (k = 0; k < 3; ++k)
+        from[k] = to[k] = (double)point[k];
+    to[axis] = 1e39; /* beyond all floats */
+    sil_i_walk_begin(&ray->walk, tree, from, to, 0);
+    ray->mesh = mesh;
+    ray->point = point;
+    ray->axis = axis;
+    ray->touches = 0;
+}
+
+/* The next face that the ray passes through, or SIL_NONE. */
+static uint32_t sil_i_ray_next(sil_i_ray *ray) {
+    uint32_t face;
+    while ((face = sil_i_walk_next(&ray->walk)) != SIL_NONE) {
+        const int meets = sil_i_ray_meets(ray->mesh, face, ray->point, ray->axis);
+        if (meets == 1)
+            return face;
+        ray->touches |= meets == 2;
+    }
+    return SIL_NONE;
+}
+
+/* A tree over all faces. */
+static void sil_i_face_tree(const sil_mesh *mesh, sil_i_bvh *tree, sil_i_heap *heap) {
+    sil_i_bounds *boxes = (sil_i_bounds *)sil_i_take(heap, mesh->face_count, sizeof(sil_i_bounds));
+    size_t i;
+    for (i = 0; i < 3 * mesh->face_count && boxes; ++i) {
+        if (i % 3 == 0)
+            sil_i_bounds_none(&boxes[i / 3]);
+        sil_i_bounds_point(&boxes[i / 3], mesh->rest.position + 3 * (size_t)mesh->corner[i]);
+    }
+    memset(tree, 0, sizeof *tree);
+    if (boxes)
+        sil_i_bvh_make(tree, boxes, mesh->face_count, heap);
+    sil_i_give(&heap->allocator, boxes);
+}
+
 /* ---- what faces and edges are to each other ---- */
 
 /* The face across an edge of exactly two faces, else SIL_NONE. */
@@ -1623,6 +2204,145 @@ static void sil_i_orient(sil_mesh *mesh, sil_i_heap *scratch) {
     sil_i_give(&scratch->allocator, done);
 }
 
+/* ---- SIL_MESH_ORIENT ---- */
+
+/* A set of faces that are connected by edges of two faces. */
+typedef struct sil_i_body {
+    double volume; /* times 6, about a point of its own */
+    double turned; /* area of the faces that were reversed, less that of the others */
+    size_t seams;  /* neighbours that cannot be made to agree, twice each */
+    uint32_t face; /* the first */
+    int open, changed, reverse;
+} sil_i_body;
+
+/* Winds the faces of one body as the first one is. Returns how many faces it has: queue[0 ...]. */
+static size_t sil_i_gather_body(sil_mesh *mesh, uint32_t start, uint32_t number, uint32_t *body_of,
+                                unsigned char *turned, uint32_t *queue) {
+    size_t begin = 0, end = 1;
+    int i;
+    body_of[start] = number;
+    queue[0] = start;
+    while (begin < end) {
+        const uint32_t face = queue[begin++];
+        for (i = 0; i < 3; ++i) {
+            const uint32_t edge = mesh->face_edge[3 * (size_t)face + (size_t)i];
+            const uint32_t other = sil_i_across(mesh, edge, face);
+            if (other == SIL_NONE || body_of[other] != SIL_NONE)
+                continue;
+            if (sil_i_rises(mesh, face, edge) == sil_i_rises(mesh, other, edge)) {
+                sil_i_reverse_face(mesh, other);
+                turned[other] = 1;
+            }
+            body_of[other] = number;
+            queue[end++] = other;
+        }
+    }
+    return end;
+}
+
+/* What is to be known of a body, once its faces agree as far as they can. */
+static void sil_i_measure_body(const sil_mesh *mesh, const uint32_t *faces, size_t count, const unsigned char *turned,
+                               sil_i_body *body) {
+    const float *origin = mesh->rest.position + 3 * (size_t)mesh->corner[3 * (size_t)faces[0]];
+    size_t f;
+    int i, k;
+    memset(body, 0, sizeof *body);
+    body->face = faces[0];
+    for (f = 0; f < count; ++f) {
+        const uint32_t face = faces[f], *corner = mesh->corner + 3 * (size_t)face;
+        double n[3], error, square = 0;
+        for (i = 0; i < 3; ++i) {
+            const uint32_t edge = mesh->face_edge[3 * (size_t)face + (size_t)i];
+            const uint32_t other = sil_i_across(mesh, edge, face);
+            body->open |= other == SIL_NONE;
+            body->seams += other != SIL_NONE && sil_i_rises(mesh, face, edge) == sil_i_rises(mesh, other, edge);
+        }
+        sil_i_normal(&mesh->rest, corner, n, &error);
+        for (k = 0; k < 3; ++k) {
+            const double from = (double)mesh->rest.position[3 * (size_t)corner[0] + (size_t)k] - (double)origin[k];
+            body->volume += n[k] * from;
+            square += n[k] * n[k];
+        }
+        /* A face in both windings has none of its own. */
+        if (!(mesh->face_flags[face] & SIL_I_TWO_SIDED)) {
+            body->turned += turned[face] ? sqrt(square) : -sqrt(square);
+            body->changed |= turned[face];
+        }
+    }
+}
+
+/* Is the body inside an odd number of other solids? By most of three rays from a corner of it. */
+static int sil_i_body_is_inside(const sil_mesh *mesh, const sil_i_bvh *tree, const sil_i_body *bodies,
+                                const uint32_t *body_of, uint32_t number) {
+    const float *point = mesh->rest.position + 3 * (size_t)mesh->corner[3 * (size_t)bodies[number].face];
+    int axis, votes = 0;
+    for (axis = 0; axis < 3; ++axis) {
+        sil_i_ray ray;
+        uint32_t face;
+        int odd = 0;
+        sil_i_ray_begin(&ray, mesh, tree, point, axis);
+        while ((face = sil_i_ray_next(&ray)) != SIL_NONE) {
+            const sil_i_body *other = &bodies[body_of[face]];
+            odd ^= body_of[face] != number && !other->open && !other->seams;
+        }
+        votes += odd;
+    }
+    return votes >= 2;
+}
+
+/* Solids are to be wound outward, cavities in them inward, and so on; anything else as most of its area was. */
+static void sil_i_judge_bodies(const sil_mesh *mesh, sil_i_body *bodies, uint32_t count, const uint32_t *body_of,
+                               sil_i_heap *scratch) {
+    sil_i_bvh tree;
+    uint32_t i;
+    size_t solids = 0;
+    for (i = 0; i < count; ++i) {
+        bodies[i].reverse = bodies[i].turned > 0;
+        solids += !bodies[i].open && !bodies[i].seams;
+    }
+    memset(&tree, 0, sizeof tree);
+    if (solids > 1)
+        sil_i_face_tree(mesh, &tree, scratch);
+    for (i = 0; i < count && !scratch->failed; ++i)
+        if (!bodies[i].open && !bodies[i].seams && (bodies[i].volume < 0 || bodies[i].volume > 0)) {
+            const int inside = solids > 1 && sil_i_body_is_inside(mesh, &tree, bodies, body_of, i);
+            bodies[i].reverse = (bodies[i].volume < 0) != inside;
+        }
+    sil_i_bvh_give(&scratch->allocator, &tree);
+}
+
+static void sil_i_orient_all(sil_mesh *mesh, sil_i_heap *scratch) {
+    uint32_t *body_of = sil_i_take_words(scratch, mesh->face_count), *queue;
+    unsigned char *turned = sil_i_take_bytes(scratch, mesh->face_count);
+    sil_i_body *bodies;
+    uint32_t f, count = 0, at;
+    queue = sil_i_take_words(scratch, mesh->face_count);
+    bodies = (sil_i_body *)sil_i_take(scratch, mesh->face_count, sizeof(sil_i_body));
+    if (!scratch->failed) {
+        memset(body_of, 0xff, mesh->face_count * sizeof(uint32_t));
+        for (f = 0; f < mesh->face_count; ++f)
+            if (body_of[f] == SIL_NONE) {
+                const size_t faces = sil_i_gather_body(mesh, f, count, body_of, turned, queue);
+                sil_i_measure_body(mesh, queue, faces, turned, &bodies[count++]);
+            }
+        sil_i_judge_bodies(mesh, bodies, count, body_of, scratch);
+    }
+    for (at = 0; at < mesh->face_count && !scratch->failed; ++at) {
+        if (bodies[body_of[at]].reverse) {
+            sil_i_reverse_face(mesh, at);
+            turned[at] ^= 1;
+        }
+        mesh->info.reversed_face_count +=
+            turned[at] && !(mesh->face_flags[at] & (SIL_I_TWO_SIDED | SIL_I_PIECE)) ? 1u : 0u;
+    }
+    sil_i_give(&scratch->allocator, body_of);
+    sil_i_give(&scratch->allocator, turned);
+    sil_i_give(&scratch->allocator, queue);
+    sil_i_give(&scratch->allocator, bodies);
+}
+
+/* ---- whose sign faces without one take ---- */
+
 /* Lexicographic order of positions: along a line it is the order on the line. */
 static int sil_i_before(const sil_mesh *mesh, uint32_t a, uint32_t b) {
     int k;
@@ -1635,10 +2355,14 @@ static int sil_i_before(const sil_mesh *mesh, uint32_t a, uint32_t b) {
     return a < b;
 }
 
-/* The longest edge of a face without area: the one across from the corner that lies between the other two. Exact. */
+/* The longest edge of a face without area: the one across from the corner that lies between the other two. Exact where
+   all three are on a line. */
 static uint32_t sil_i_longest_edge(const sil_mesh *mesh, uint32_t face) {
     const uint32_t *corner = mesh->corner + 3 * (size_t)face;
+    const float *p = mesh->rest.position;
     int i;
+    if (!sil_i_collinear(p + 3 * (size_t)corner[0], p + 3 * (size_t)corner[1], p + 3 * (size_t)corner[2]))
+        return mesh->face_edge[3 * (size_t)face + (size_t)sil_i_longest_side(mesh, face)];
     for (i = 0; i < 2; ++i)
         if (sil_i_before(mesh, corner[i], corner[(i + 1) % 3]) != sil_i_before(mesh, corner[i], corner[(i + 2) % 3]))
             break;
@@ -1690,6 +2414,7 @@ static void sil_i_spread(const sil_mesh *mesh, uint32_t *root, uint32_t *queue) 
 static void sil_i_build_roots(sil_mesh *mesh, sil_i_heap *heap, sil_i_heap *scratch) {
     uint32_t *root, *path;
     size_t f, at = 0;
+    mesh->flat_count += mesh->piece_count;
     mesh->flat_face = sil_i_take_words(heap, mesh->flat_count);
     mesh->flat_root = sil_i_take_words(heap, mesh->flat_count);
     if (heap->failed || !mesh->flat_count)
@@ -1697,13 +2422,15 @@ static void sil_i_build_roots(sil_mesh *mesh, sil_i_heap *heap, sil_i_heap *scra
     root = sil_i_take_words(scratch, mesh->face_count);
     path = sil_i_take_words(scratch, mesh->flat_count);
     if (!scratch->failed) {
-        for (f = 0; f < mesh->face_count; ++f)
-            root[f] = mesh->face_flags[f] & SIL_I_NO_AREA ? SIL_I_UNKNOWN : (uint32_t)f;
+        for (f = 0; f < mesh->face_count; ++f) /* the first piece comes before the others, and has area */
+            root[f] = mesh->face_flags[f] & SIL_I_NO_AREA ? SIL_I_UNKNOWN
+                      : mesh->face_flags[f] & SIL_I_PIECE ? root[f - 1]
+                                                          : (uint32_t)f;
         for (f = 0; f < mesh->face_count; ++f)
             sil_i_follow(mesh, (uint32_t)f, root, path);
         sil_i_spread(mesh, root, path);
         for (f = 0; f < mesh->face_count; ++f)
-            if (mesh->face_flags[f] & SIL_I_NO_AREA) {
+            if (mesh->face_flags[f] & SIL_I_BORROWS) {
                 mesh->flat_face[at] = (uint32_t)f;
                 mesh->flat_root[at++] = root[f];
             }
@@ -1715,7 +2442,7 @@ static void sil_i_build_roots(sil_mesh *mesh, sil_i_heap *heap, sil_i_heap *scra
 
 /* The face that a face's sign and normal come from: itself, unless it has no area. */
 static uint32_t sil_i_sign_face(const sil_mesh *mesh, uint32_t face) {
-    return mesh->face_flags[face] & SIL_I_NO_AREA ? sil_i_root(mesh, face) : face;
+    return mesh->face_flags[face] & SIL_I_BORROWS ? sil_i_root(mesh, face) : face;
 }
 
 /* The angle between two faces' normals in degrees; `flipped` where the faces are wound in opposite senses. */
@@ -1789,6 +2516,32 @@ static unsigned sil_i_fixed_kinds(sil_mesh *mesh, uint32_t edge, double crease) 
     return SIL_CREASE;
 }
 
+/* SIL_PART_BORDER where the faces of an edge are not all of one part. Faces without area are of that whose sign they
+   take. */
+static unsigned sil_i_part_border(sil_mesh *mesh, uint32_t edge, const uint32_t *parts) {
+    const uint32_t *face = NULL;
+    uint32_t pair[2], count = 2, known = SIL_NONE, i;
+    if (!parts)
+        return 0;
+    pair[0] = mesh->edge_face[0][edge];
+    pair[1] = mesh->edge_face[1][edge];
+    face = pair;
+    if (mesh->edge_kinds[edge] & SIL_I_MANY) {
+        const size_t at = sil_i_find_many(mesh, edge);
+        face = mesh->many_face + mesh->many_first[at];
+        count = mesh->many_first[at + 1] - mesh->many_first[at];
+    }
+    for (i = 0; i < count; ++i) {
+        const uint32_t from = sil_i_sign_face(mesh, face[i]);
+        if (from != SIL_NONE && known != SIL_NONE && parts[mesh->source[from]] != parts[mesh->source[known]]) {
+            ++mesh->info.part_border_edge_count;
+            return SIL_PART_BORDER;
+        }
+        known = from != SIL_NONE ? from : known;
+    }
+    return 0;
+}
+
 /* SIL_CONVEX, SIL_CONCAVE or 0: on which side of its first face's plane is the third corner of the second? The sign of
    that corner, as an eye, is the same with the faces exchanged. */
 static unsigned sil_i_fold(const sil_mesh *mesh, uint32_t edge) {
@@ -1798,7 +2551,8 @@ static unsigned sil_i_fold(const sil_mesh *mesh, uint32_t edge) {
     const float *p[3], *opposite;
     sil_i_eye eye;
     int i, sign, finite = 1, k = 0;
-    if (mesh->edge_kinds[edge] & SIL_I_MANY || f0 == f1 || mesh->face_flags[f0] || mesh->face_flags[f1] ||
+    if (mesh->edge_kinds[edge] & SIL_I_MANY || f0 == f1 ||
+        (mesh->face_flags[f0] | mesh->face_flags[f1]) & ~SIL_I_PIECE ||
         sil_i_rises(mesh, f0, edge) == sil_i_rises(mesh, f1, edge))
         return 0;
     while (b[k] == v[0] || b[k] == v[1])
@@ -2064,26 +2818,33 @@ static void sil_i_build_hierarchy(sil_mesh *mesh, unsigned flags, sil_i_heap *he
 static void sil_i_build(sil_mesh *mesh, const sil_mesh_desc *desc, size_t triangles, sil_i_heap *heap) {
     sil_i_heap scratch = *heap;
     double crease = (double)desc->crease_degrees;
-    size_t e;
+    size_t e, before, face_bytes;
     if (crease <= 0)
         crease = crease < 0 ? 1e-9 : 30; /* 1e-9: rounding of what is flat */
     sil_i_build_vertices(mesh, desc, heap, &scratch);
+    before = heap->bytes;
     if (!heap->failed && !scratch.failed)
         sil_i_build_faces(mesh, desc, triangles, heap, &scratch);
+    face_bytes = heap->bytes - before;
     if (!heap->failed && !scratch.failed)
         sil_i_order_faces(mesh, &scratch);
+    if (!heap->failed && !scratch.failed && desc->t_junction_distance > 0)
+        sil_i_close_cracks(mesh, (double)desc->t_junction_distance, face_bytes, heap, &scratch);
     if (!heap->failed && !scratch.failed)
         sil_i_build_planes(mesh, heap);
     if (!heap->failed && !scratch.failed)
         sil_i_build_edges(mesh, heap, &scratch);
-    if (!heap->failed && !scratch.failed)
+    if (!heap->failed && !scratch.failed && desc->flags & SIL_MESH_ORIENT)
+        sil_i_orient_all(mesh, &scratch);
+    if (!heap->failed && !scratch.failed && !(desc->flags & SIL_MESH_ORIENT))
         sil_i_orient(mesh, &scratch);
     if (!heap->failed && !scratch.failed)
         sil_i_build_roots(mesh, heap, &scratch);
     if (!heap->failed && !scratch.failed) {
         for (e = 0; e < mesh->edge_count; ++e)
             mesh->edge_kinds[e] =
-                (unsigned char)(sil_i_fixed_kinds(mesh, (uint32_t)e, crease) | sil_i_fold(mesh, (uint32_t)e));
+                (unsigned char)(sil_i_fixed_kinds(mesh, (uint32_t)e, crease) | sil_i_fold(mesh, (uint32_t)e) |
+                                sil_i_part_border(mesh, (uint32_t)e, desc->face_parts));
         sil_i_build_components(mesh, &scratch);
         sil_i_build_hierarchy(mesh, desc->flags, heap, &scratch);
     }
@@ -2095,7 +2856,8 @@ static sil_result sil_i_check_desc(const sil_mesh_desc *desc, size_t *triangles)
     if (!desc || (!desc->positions && desc->vertex_count) || (!desc->indices && desc->index_count) ||
         (desc->position_stride && desc->position_stride < 3 * sizeof(float)) ||
         (!desc->allocator.alloc_fn) != (!desc->allocator.free_fn) || !sil_i_finite(desc->weld_distance) ||
-        !sil_i_finite(desc->crease_degrees))
+        !sil_i_finite(desc->crease_degrees) || !sil_i_finite(desc->t_junction_distance) ||
+        desc->t_junction_distance < 0)
         return SIL_INVALID_ARGUMENT;
     indices = desc->indices ? desc->index_count : desc->vertex_count;
     if (indices % 3)
@@ -2114,7 +2876,7 @@ static void sil_i_log(const sil_mesh_desc *desc, int level, sil_result code) {
 static void sil_i_finish_info(sil_mesh *mesh, const sil_i_heap *heap) {
     mesh->info.vertex_count = mesh->vertex_count;
     mesh->info.unique_vertex_count = mesh->unique_count;
-    mesh->info.face_count = mesh->face_count;
+    mesh->info.face_count = mesh->face_count - mesh->piece_count;
     mesh->info.edge_count = mesh->edge_count;
     mesh->info.bytes = heap->bytes;
 }
@@ -2229,6 +2991,7 @@ SIL_DEF void sil_pose_destroy(sil_pose *pose) {
     sil_i_give(&allocator, pose->front);
     sil_i_give(&allocator, pose->found);
     sil_i_give(&allocator, pose->scratch);
+    sil_i_give(&allocator, pose->zone_last);
     sil_i_give(&allocator, pose);
 }
 
@@ -2343,6 +3106,83 @@ SIL_DEF sil_result sil_view_from_matrices(const float model_view[16], const floa
     return SIL_OK;
 }
 
+/* ---- the dead zone ---- */
+
+SIL_DEF sil_result sil_pose_set_dead_zone(sil_pose *pose, double sine, unsigned flags) {
+    if (!pose || !(sine >= 0 && sine < 1) || flags & ~(unsigned)SIL_ZONE_REMEMBER)
+        return SIL_INVALID_ARGUMENT;
+    if (flags & SIL_ZONE_REMEMBER && !pose->zone_last) {
+        const sil_allocator *a = &pose->mesh->allocator;
+        pose->zone_last = (unsigned char *)a->alloc_fn(pose->mesh->face_count + 1, a->user);
+        if (!pose->zone_last)
+            return SIL_OUT_OF_MEMORY;
+    }
+    if (pose->zone_last)
+        memset(pose->zone_last, 0, pose->mesh->face_count);
+    pose->zone_sine = sine;
+    pose->zone_remembers = (flags & SIL_ZONE_REMEMBER) != 0;
+    return SIL_OK;
+}
+
+/* Divides a vector by its largest coordinate, so that its square has a range to be in. */
+static void sil_i_shrink(double v[3]) {
+    const double size = sil_i_larger(sil_i_abs(v[0]), sil_i_larger(sil_i_abs(v[1]), sil_i_abs(v[2])));
+    int k;
+    for (k = 0; k < 3 && size > 0; ++k)
+        v[k] /= size;
+}
+
+/* |n . w| <= sine |n| |w|, w from the middle of the corners to the eye, in double. */
+static int sil_i_in_zone(const sil_i_shape *shape, const uint32_t *corner, const sil_i_eye *eye, double sine) {
+    const float *a = shape->position + 3 * (size_t)corner[0], *b = shape->position + 3 * (size_t)corner[1];
+    const float *c = shape->position + 3 * (size_t)corner[2];
+    double u[3], v[3], w[3], n[3], dot = 0, nn = 0, ww = 0;
+    int k;
+    for (k = 0; k < 3; ++k) {
+        u[k] = (double)b[k] - (double)a[k];
+        v[k] = (double)c[k] - (double)a[k];
+        w[k] = 3 * eye->e[k] - eye->e[3] * ((double)a[k] + (double)b[k] + (double)c[k]);
+    }
+    sil_i_shrink(u);
+    sil_i_shrink(v);
+    sil_i_shrink(w);
+    for (k = 0; k < 3; ++k)
+        n[k] = u[(k + 1) % 3] * v[(k + 2) % 3] - u[(k + 2) % 3] * v[(k + 1) % 3];
+    sil_i_shrink(n);
+    for (k = 0; k < 3; ++k) {
+        dot += n[k] * w[k];
+        nn += n[k] * n[k];
+        ww += w[k] * w[k];
+    }
+    return dot * dot <= sine * sine * nn * ww;
+}
+
+/* Changes exact signs of all faces to those with the pose's zone. Planes tell cheaply which faces surely are outside:
+   in their space |n . w| <= sine |w| and |w| <= |e| + sqrt(3) |ew|. */
+static void sil_i_zone_apply(sil_pose *pose, const sil_i_shape *shape, const sil_i_eye *eye) {
+    const sil_mesh *mesh = pose->mesh;
+    const double ex = (double)eye->plane[0], ey = (double)eye->plane[1], ez = (double)eye->plane[2];
+    const double reach = sqrt(ex * ex + ey * ey + ez * ez) + 1.7320509 * sil_i_abs((double)eye->plane[3]);
+    const float edge = (float)(1.001 * pose->zone_sine * reach) + 2 * eye->limit;
+    unsigned char *front = pose->front, *last = pose->zone_remembers ? pose->zone_last : NULL;
+    size_t f;
+    for (f = 0; f < mesh->face_count; ++f) {
+        const float t = shape->plane[0][f] * eye->plane[0] + shape->plane[1][f] * eye->plane[1] +
+                        shape->plane[2][f] * eye->plane[2] - shape->plane[3][f] * eye->plane[3];
+        const uint32_t *corner = mesh->corner + 3 * f;
+        if (shape->bad_count && (shape->bad[corner[0]] | shape->bad[corner[1]] | shape->bad[corner[2]]))
+            continue;
+        if (t <= edge && t >= -edge && !(mesh->face_flags[f] & SIL_I_BORROWS) &&
+            sil_i_in_zone(shape, corner, eye, pose->zone_sine))
+            front[f] = last ? (unsigned char)(last[f] ? last[f] == 2 : front[f]) : 0;
+        if (last)
+            last[f] = (unsigned char)(1 + front[f]);
+    }
+    for (f = 0; f < mesh->flat_count; ++f)
+        if (mesh->flat_root[f] != SIL_NONE)
+            front[mesh->flat_face[f]] = front[mesh->flat_root[f]];
+}
+
 /* ---- extraction ---- */
 
 /* How the faces of one call are told apart: by signs found before, or, without a pose, one at a time. */
@@ -2393,7 +3233,7 @@ static unsigned sil_i_classify(const sil_i_signs *signs, uint32_t edge, uint32_t
     if (kinds & SIL_I_MANY) {
         uint32_t found[2];
         sil_i_many_faces(signs, edge, found);
-        kinds &= SIL_NONMANIFOLD | SIL_BOUNDARY;
+        kinds &= SIL_NONMANIFOLD | SIL_BOUNDARY | SIL_PART_BORDER;
         if (found[0] != SIL_NONE && found[1] != SIL_NONE) {
             kinds |= SIL_SILHOUETTE;
             memcpy(face, found, sizeof found);
@@ -2574,7 +3414,7 @@ static int sil_i_hunt_run(sil_i_hunt *hunt) {
 
 /* Edges that are candidates whatever the signs of two faces are: of many faces, and of other kinds asked for. */
 static const uint32_t *sil_i_other_candidates(const sil_mesh *mesh, unsigned kinds, size_t *count) {
-    const int special = (kinds & (SIL_BOUNDARY | SIL_CREASE | SIL_NONMANIFOLD)) != 0;
+    const int special = (kinds & (SIL_I_LINES & ~(unsigned)SIL_SILHOUETTE)) != 0;
     *count = special ? mesh->hierarchy->special_count : mesh->many_count;
     return special ? mesh->hierarchy->special : mesh->many_edge;
 }
@@ -2679,13 +3519,15 @@ SIL_DEF size_t sil_extract(const sil_mesh *mesh, sil_pose *pose, const sil_view 
     if (view) {
         signs.in_view = 1;
         sil_i_eye_make(&signs.eye, view, signs.shape);
-        if (pose && !pose->is_set && mesh->hierarchy && kinds & SIL_SILHOUETTE && signs.eye.valid &&
-            sil_i_hunt_edges(&signs, pose, kinds, &found)) {
+        if (pose && !pose->is_set && !(pose->zone_sine > 0) && mesh->hierarchy && kinds & SIL_SILHOUETTE &&
+            signs.eye.valid && sil_i_hunt_edges(&signs, pose, kinds, &found)) {
             sil_i_extract_found(&signs, pose, found, &out);
             return out.count;
         }
         if (pose) {
             sil_i_front_all(mesh, signs.shape, &signs.eye, pose->front);
+            if (pose->zone_sine > 0 && signs.eye.valid)
+                sil_i_zone_apply(pose, signs.shape, &signs.eye);
             sil_i_clear_bad_faces(mesh, signs.shape, pose->front);
             signs.front = pose->front;
         }
@@ -2879,13 +3721,13 @@ static void sil_i_link_pairs(const sil_i_chains *c) {
             c->keys[left++] = (uint64_t)sil_i_end_vertex(c, (uint32_t)i) << 32 | i;
     sil_i_sort_keys(c->keys, left);
     for (i = 0; i < left; i = j) {
-        uint32_t seen = 0; /* kinds that were looked at; a bit each */
+        uint32_t seen[(SIL_I_LINES + 32) / 32] = {0, 0, 0}; /* kinds that were looked at; a bit each */
         for (j = i; j < left && c->keys[j] >> 32 == c->keys[i] >> 32; ++j)
             ;
         for (k = i; k < j; ++k) {
             const uint32_t kinds = sil_i_line_kinds(c, (uint32_t)(c->keys[k] & 0xffffffffu) / 2);
-            if (!(seen >> kinds & 1)) {
-                seen |= 1u << kinds;
+            if (!(seen[kinds / 32] >> kinds % 32 & 1)) {
+                seen[kinds / 32] |= 1u << kinds % 32;
                 sil_i_link_kind(c, c->keys + i, j - i, kinds);
             }
         }

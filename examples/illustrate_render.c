@@ -130,6 +130,20 @@ static void sil_said(int level, int code, const char *text, void *user) {
         fprintf(stderr, "%s\n", text);
 }
 
+/* The longest side of its box. */
+static double surface_size(const surface *s) {
+    double size = 0;
+    for (size_t k = 0; k < 3; ++k) {
+        float low = INFINITY, high = -INFINITY;
+        for (size_t i = 0; i < s->vertex_count; ++i) {
+            low = fminf(low, s->positions[3 * i + k]);
+            high = fmaxf(high, s->positions[3 * i + k]);
+        }
+        size = fmax(size, (double)high - (double)low);
+    }
+    return isfinite(size) ? size : 0;
+}
+
 /* Closed enough to have an inside: the areas of a closed surface, as vectors, add up to nothing. Small cracks change
  * little. Also which way the triangles face, and how much of its box the surface fills. */
 static void classify_surface(surface *s) {
@@ -156,8 +170,12 @@ static void classify_surface(surface *s) {
     }
     double box = (high[0] - low[0]) * (high[1] - low[1]) * (high[2] - low[2]);
     double open = sqrt(area[0] * area[0] + area[1] * area[1] + area[2] * area[2]);
-    s->sheet =
-        !(open <= 0.02 * total) || sil_mesh_get_info(s->mesh).flipped_edge_count > 0 || !(fabs(volume) > 1e-6 * box);
+    sil_mesh_info info = sil_mesh_get_info(s->mesh);
+    /* Lines are those of faces that agree; what is drawn is wound as the file has it. */
+    bool mixed =
+        info.flipped_edge_count > 0 ||
+        (info.reversed_face_count > 0 && info.reversed_face_count + info.two_sided_face_count < info.face_count);
+    s->sheet = !(open <= 0.02 * total) || mixed || !(fabs(volume) > 1e-6 * box);
     s->inward = !s->sheet && volume < 0;
     s->box_volume = box;
 }
@@ -171,6 +189,8 @@ static bool find_edges_of(renderer *r, surface *s) {
     desc.vertex_count = s->vertex_count;
     desc.indices = s->indices;
     desc.index_count = s->index_count;
+    desc.flags = SIL_MESH_ORIENT;
+    desc.t_junction_distance = (float)(1e-5 * surface_size(s)); /* what rounding and tessellators leave open */
     desc.log_fn = sil_said;
     desc.log_user = (void *)(uintptr_t)r->job;
     s->mesh = sil_mesh_create(&desc, &result);
