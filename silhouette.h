@@ -80,8 +80,8 @@
     ERRORS, MEMORY, THREADS
       - Functions that can fail say so by a sil_result. sil_mesh_create gives NULL and the reason; messages in words go
         to desc.log_fn, which is called only while a mesh is being made.
-      - Memory comes from desc.allocator. sil_mesh_create and sil_pose_create allocate. sil_pose_set does so the first
-        time. sil_chain needs scratch memory: with a pose it is kept there and only ever grows; sil_pose_reserve makes
+      - Memory comes from desc.allocator. sil_mesh_create and sil_pose_create allocate. sil_pose_set, and a dead zone
+        that remembers, do so the first time. sil_chain needs scratch memory: with a pose it is kept there and only ever grows; sil_pose_reserve makes
         it large enough at once. So a steady frame allocates nothing. sil_chain without a pose allocates and frees in
         the call. A sil_edge_tree allocates when built over more edges than ever before, unless sil_edge_tree_reserve
         has made room. All other functions never allocate.
@@ -105,7 +105,8 @@
       looking at every face: patches whose planes surely have one sign are left out, with rounding accounted for, so
       that edges and order are those of the flat scan, in perspective and in parallel views. When more than a quarter of
       the patches would have to be looked at it gives way to the flat scan, and is tried again after one, two, four, and
-      at most 64 views: the pose remembers that. Posed meshes, and calls without a pose, use the flat scan.
+      at most 64 views: the pose remembers that. Posed meshes, poses with a dead
+      zone, and calls without a pose, use the flat scan.
 
     DIRTY MESHES
       - Split vertices are welded by position (weld_distance = 0, the default: same x, y, z; -0 is 0), by distance
@@ -124,7 +125,20 @@
         above is applied as the windings stand: the edge between is a silhouette when both sides can be seen.
       - An edge of three or more faces is SIL_NONMANIFOLD, and SIL_SILHOUETTE as well when one of its faces is
         front and another back. Nothing depends on the order of the faces.
+        With SIL_MESH_ORIENT in desc.flags faces are wound as their neighbours across edges of two faces are, first of
+        all: closed sets of faces outward, those in an odd number of other closed ones (cavities) inward, open sets as
+        most of their area was. reversed_face_count tells how many were turned. Where that cannot be done everywhere (a
+        Moebius strip) some flipped edges remain, the same for every order of the faces.
       - An edge of one face is SIL_BOUNDARY, in every view.
+      - T-junctions: with t_junction_distance > 0 an edge of one face is cut at the vertices of other such edges that lie
+        within that distance of it and further than that from its ends. Its pieces then meet their mates, and are no
+        borders any more: t_junction_count tells how many cuts were made. A face that was cut stays one face: its
+        pieces have its number in sil_edge.face, all take the sign of the largest of them, and nothing is a line between
+        them (edge_count counts those edges). Vertices closer to each other than that are for weld_distance.
+      - Slivers: with the same distance, faces whose height above their longest edge is not more than it are as faces
+        whose corners lie on a line: above. They are not cut.
+      - Parts: with face_parts an edge whose faces are not all of one part is SIL_PART_BORDER. Of triangles with the same
+        corners the part of the kept one (the first) counts.
       - A mesh without any face is fine, and has no lines. An index_count that is no multiple of 3 is an error.
 
     RECIPES
@@ -135,6 +149,9 @@
       - Silhouettes of a large mesh that does not move: a pose that is never set; it is what the hierarchy needs.
       - Distances for many vertices in every frame: one sil_edge_tree, built after sil_extract, then ranges of vertices
         by sil_distances_by_tree in as many threads as there are. sil_distances is for few edges or few vertices.
+      - Lines that flicker where a scanned or tessellated surface is seen edge-on: sil_pose_set_dead_zone, of a degree
+        or two more than the noise of the normals.
+      - A CAD model with cracks and needles: t_junction_distance of 1e-5 of its size, and SIL_MESH_ORIENT.
       - An animated character: one sil_pose an instance; sil_pose_set after skinning.
       - Dashes: discard where fmod(arc, period) > on. Arc is counted in pixels along a strip.
 
@@ -281,7 +298,7 @@ SIL_DEF sil_result sil_pose_reserve(sil_pose *pose, size_t edge_count);
 
 /* A dead zone for all later views of the pose: a face whose plane is within an angle of the line of sight to the middle
    of its corners counts as back, or, with SIL_ZONE_REMEMBER, keeps the sign that it had when it was last outside of the
-   zone (at first, its exact one). It stills the noise of surfaces seen edge-on, such as a pipe looked down. Faces are
+   zone (back, if it never was). It stills the noise of surfaces seen edge-on, such as a pipe looked down. Faces are
    still told apart once each, so that loops stay closed; faces outside of the zone have their exact signs, only where
    the zone ends is rounded. sine: of that angle, below 1; 0: no zone, the default. Each call forgets. The flat scan is
    used then, not the hierarchy. Allocates when first asked to remember. SIL_INVALID_ARGUMENT, SIL_OUT_OF_MEMORY (nothing
@@ -492,7 +509,7 @@ struct sil_pose {
     void *scratch;
     size_t scratch_size;
     double zone_sine;         /* 0: there is no dead zone */
-    unsigned char *zone_last; /* of each face: 0 not known, 1 back, 2 front; NULL: never asked for */
+    unsigned char *zone_last; /* of each face: 1 if it was in front; NULL: never asked for */
     int zone_remembers;
 };
 
@@ -3174,9 +3191,9 @@ static void sil_i_zone_apply(sil_pose *pose, const sil_i_shape *shape, const sil
             continue;
         if (t <= edge && t >= -edge && !(mesh->face_flags[f] & SIL_I_BORROWS) &&
             sil_i_in_zone(shape, corner, eye, pose->zone_sine))
-            front[f] = last ? (unsigned char)(last[f] ? last[f] == 2 : front[f]) : 0;
+            front[f] = last ? last[f] : 0;
         if (last)
-            last[f] = (unsigned char)(1 + front[f]);
+            last[f] = front[f];
     }
     for (f = 0; f < mesh->flat_count; ++f)
         if (mesh->flat_root[f] != SIL_NONE)
