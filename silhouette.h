@@ -286,6 +286,36 @@ SIL_DEF sil_mesh *sil_mesh_create(const sil_mesh_desc *desc, sil_result *result)
 SIL_DEF void sil_mesh_destroy(sil_mesh *mesh); /* NULL is fine; no pose of it may be in use any more */
 SIL_DEF sil_mesh_info sil_mesh_get_info(const sil_mesh *mesh);
 
+/* Which component each of the caller's first triangle_count triangles is in: a number below component_count (sets of
+   faces connected by edges, in an order that does not depend on that of the triangles), SIL_NONE for those left out.
+   Allocates and frees in the call. SIL_INVALID_ARGUMENT, SIL_OUT_OF_MEMORY. */
+SIL_DEF sil_result sil_mesh_components(const sil_mesh *mesh, uint32_t *components, size_t triangle_count);
+
+/* A mesh, or one component of it, at a place in the world, in its rest positions. Parts may share meshes. */
+typedef struct sil_part {
+    const sil_mesh *mesh;
+    float transform[16]; /* mesh to world, column-major, affine; mirrored is fine. All zero: the identity */
+    uint32_t component;  /* 0: the whole mesh; n + 1: only its component n */
+} sil_part;
+
+enum {
+    SIL_PART_CLOSED = 1,   /* all its components are closed: each edge has an even number of faces */
+    SIL_PART_ENCLOSES = 2, /* it encloses another part */
+    SIL_PART_CROSSES = 4   /* it is partly within another part, or another partly within it: no parent by that one */
+};
+
+/* Which part encloses which: B is within A if all of it is within closed components of A, in cavities of A as well. In
+   parents[i] the innermost part around part i, or SIL_NONE; following parents ends. In facts[i] (may be NULL) the bits
+   above. A part without SIL_PART_CLOSED may have an inside that is not known: only its closed components enclose.
+   Windings do not matter. Points of B are tried, corners and middles of faces, `samples` of each component (0: 24;
+   larger numbers up to SIZE_MAX: all), each by three rays counted in exact arithmetic, of which most decide, so that
+   small cracks do not. Points in the surface of A say nothing. What no point shows is not noticed: a thin rod through a
+   part. Points are rounded to float in the coordinates of A's mesh. Trees over parts and faces: the cost is nearly
+   linear. Memory is allocated by the first part's mesh, and freed, in the call. SIL_INVALID_ARGUMENT: NULL, a component
+   that is not there, a transform that is not finite; SIL_TOO_LARGE: 2^32 - 1 parts or more; SIL_OUT_OF_MEMORY. */
+SIL_DEF sil_result sil_containment(const sil_part *parts, size_t part_count, size_t samples, uint32_t *parents,
+                                   uint32_t *facts);
+
 /* What changes: posed positions, the faces' signs of the last view, scratch memory. Starts in the rest positions. */
 SIL_DEF sil_pose *sil_pose_create(const sil_mesh *mesh, sil_result *result);
 SIL_DEF void sil_pose_destroy(sil_pose *pose); /* before its mesh; NULL is fine */
@@ -2111,7 +2141,9 @@ typedef struct sil_i_ray {
     sil_i_walk walk;
     const sil_mesh *mesh;
     const float *point;
-    int axis, touches; /* touches: the point lies in a face */
+    int axis, touches;     /* touches: the point lies in a face */
+    const uint32_t *label; /* of each face; NULL: all are met */
+    uint32_t only;         /* the label of those that are */
 } sil_i_ray;
 
 static void sil_i_ray_begin(sil_i_ray *ray, const sil_mesh *mesh, const sil_i_bvh *tree, const float *point, int axis) {
@@ -2125,13 +2157,16 @@ static void sil_i_ray_begin(sil_i_ray *ray, const sil_mesh *mesh, const sil_i_bv
     ray->point = point;
     ray->axis = axis;
     ray->touches = 0;
+    ray->label = NULL;
+    ray->only = 0;
 }
 
 /* The next face that the ray passes through, or SIL_NONE. */
 static uint32_t sil_i_ray_next(sil_i_ray *ray) {
     uint32_t face;
     while ((face = sil_i_walk_next(&ray->walk)) != SIL_NONE) {
-        const int meets = sil_i_ray_meets(ray->mesh, face, ray->point, ray->axis);
+        const int is_met = !ray->label || ray->label[face] == ray->only;
+        const int meets = is_met ? sil_i_ray_meets(ray->mesh, face, ray->point, ray->axis) : 0;
         if (meets == 1)
             return face;
         ray->touches |= meets == 2;
@@ -3121,6 +3156,450 @@ SIL_DEF sil_result sil_view_from_matrices(const float model_view[16], const floa
     for (i = 0; i < 4; ++i)
         view->eye[i] = (negate ? -eye[i] : eye[i]) / largest;
     return SIL_OK;
+}
+
+/* ---- containment ---- */
+
+/* The component of each face, numbered by their first faces. Returns how many there are. */
+static uint32_t sil_i_label_components(const sil_mesh *mesh, uint32_t *label) {
+    uint32_t i, count = 0;
+    for (i = 0; i < mesh->face_count; ++i)
+        label[i] = i;
+    for (i = 0; i < 3 * mesh->face_count; ++i) /* every face with the first of each of its edges */
+        sil_i_join_sets(label, i / 3, mesh->edge_face[0][mesh->face_edge[i]]);
+    for (i = 0; i < mesh->face_count; ++i)
+        label[i] = sil_i_find_set(label, i);
+    for (i = 0; i < mesh->face_count; ++i) /* a set's first face is its name, and comes before the others */
+        label[i] = label[i] == i ? count++ : label[label[i]];
+    return count;
+}
+
+SIL_DEF sil_result sil_mesh_components(const sil_mesh *mesh, uint32_t *components, size_t triangle_count) {
+    sil_i_heap heap;
+    uint32_t *label;
+    size_t i;
+    if (!mesh || (!components && triangle_count))
+        return SIL_INVALID_ARGUMENT;
+    memset(&heap, 0, sizeof heap);
+    heap.allocator = mesh->allocator;
+    label = sil_i_take_words(&heap, mesh->face_count);
+    if (!label)
+        return SIL_OUT_OF_MEMORY;
+    (void)sil_i_label_components(mesh, label);
+    for (i = 0; i < triangle_count; ++i)
+        components[i] = SIL_NONE;
+    for (i = 0; i < mesh->face_count; ++i)
+        if (mesh->source[i] < triangle_count)
+            components[mesh->source[i]] = label[i];
+    sil_i_give(&heap.allocator, label);
+    return SIL_OK;
+}
+
+/* What is to be known of one mesh, however many parts share it. Samples are 4 * face + i: corner i, or 3, the middle. */
+typedef struct sil_i_inner {
+    const sil_mesh *mesh;
+    sil_i_bvh tree;
+    uint32_t count, *label, *sample, *sample_first;
+    unsigned char *open;
+    sil_i_bounds *box;
+} sil_i_inner;
+
+/* One component of one part. */
+typedef struct sil_i_solid {
+    uint32_t part, component;
+} sil_i_solid;
+
+typedef struct sil_i_site {
+    sil_i_inner *inner;
+    double model[12], inverse[12]; /* 3 x 4, column-major */
+    int invertible;
+    uint32_t first, end; /* components */
+} sil_i_site;
+
+typedef struct sil_i_pair {
+    uint32_t inside, around;
+} sil_i_pair;
+
+typedef struct sil_i_world {
+    sil_i_heap heap;
+    const sil_part *parts;
+    size_t part_count, inner_count, solid_count, pair_count, pair_room;
+    sil_i_inner *inner;
+    sil_i_site *place;
+    sil_i_solid *solid;
+    sil_i_bvh tree; /* over the boxes of solids */
+    sil_i_pair *pair;
+    uint32_t *hits, *stamp, *touched; /* of each part: samples of the part being tried that are within it */
+} sil_i_world;
+
+static void sil_i_inner_mark_open(sil_i_inner *in) {
+    const sil_mesh *mesh = in->mesh;
+    size_t e;
+    for (e = 0; e < mesh->edge_count; ++e)
+        if (mesh->edge_kinds[e] & SIL_BOUNDARY)
+            in->open[in->label[mesh->edge_face[0][e]]] = 1;
+    for (e = 0; e < mesh->many_count; ++e)
+        if ((mesh->many_first[e + 1] - mesh->many_first[e]) % 2)
+            in->open[in->label[mesh->edge_face[0][mesh->many_edge[e]]]] = 1;
+}
+
+/* Boxes of the components, and their samples, spread evenly over the faces as these are numbered: along a curve. */
+static void sil_i_inner_fill(sil_i_inner *in, size_t samples, sil_i_heap *heap) {
+    const sil_mesh *mesh = in->mesh;
+    uint32_t *faces = sil_i_take_words(heap, in->count), *seen = sil_i_take_words(heap, in->count), c;
+    uint64_t some;
+    size_t i, f, total = 0;
+    for (c = 0; c < in->count && !heap->failed; ++c) {
+        faces[c] = seen[c] = 0;
+        sil_i_bounds_none(&in->box[c]);
+    }
+    for (f = 0; f < mesh->face_count && !heap->failed; ++f) {
+        ++faces[in->label[f]];
+        for (i = 0; i < 3; ++i)
+            sil_i_bounds_point(&in->box[in->label[f]], mesh->rest.position + 3 * (size_t)mesh->corner[3 * f + i]);
+    }
+    for (c = 0; c < in->count && !heap->failed; ++c) {
+        in->sample_first[c] = (uint32_t)total;
+        total += samples < 4 * (size_t)faces[c] ? samples : 4 * (size_t)faces[c];
+    }
+    in->sample = sil_i_take_words(heap, total);
+    for (i = 0; i < 4 * mesh->face_count && !heap->failed; ++i) {
+        c = in->label[i / 4];
+        some = samples < 4 * (size_t)faces[c] ? samples : 4 * (size_t)faces[c];
+        if ((seen[c] + 1) * some / (4 * (uint64_t)faces[c]) != seen[c] * some / (4 * (uint64_t)faces[c]))
+            in->sample[in->sample_first[c]++] = (uint32_t)i;
+        ++seen[c];
+    }
+    for (c = in->count; c > 0 && !heap->failed; --c) /* they have moved to the next one's */
+        in->sample_first[c] = in->sample_first[c - 1];
+    if (!heap->failed)
+        in->sample_first[0] = 0;
+    sil_i_give(&heap->allocator, faces);
+    sil_i_give(&heap->allocator, seen);
+}
+
+static void sil_i_inner_make(sil_i_inner *in, size_t samples, sil_i_heap *heap) {
+    in->label = sil_i_take_words(heap, in->mesh->face_count);
+    if (heap->failed)
+        return;
+    in->count = sil_i_label_components(in->mesh, in->label);
+    in->open = sil_i_take_bytes(heap, in->count);
+    in->box = (sil_i_bounds *)sil_i_take(heap, in->count, sizeof(sil_i_bounds));
+    in->sample_first = sil_i_take_words(heap, (size_t)in->count + 1);
+    if (!heap->failed)
+        sil_i_inner_mark_open(in);
+    if (!heap->failed)
+        sil_i_inner_fill(in, samples, heap);
+    if (!heap->failed)
+        sil_i_face_tree(in->mesh, &in->tree, heap);
+}
+
+static void sil_i_map(const double m[12], const double p[3], double out[3]) {
+    int k;
+    for (k = 0; k < 3; ++k)
+        out[k] = m[k] * p[0] + m[3 + k] * p[1] + m[6 + k] * p[2] + m[9 + k];
+}
+
+/* 0 where it is not finite. */
+static int sil_i_site_read(sil_i_site *place, const float transform[16]) {
+    const double zero[3] = {0, 0, 0};
+    double m[16] = {0}, det, back[3];
+    int i, k, all_zero = 1;
+    for (i = 0; i < 16; ++i)
+        all_zero &= sil_i_same(transform[i], 0);
+    for (i = 0; i < 4; ++i)
+        for (k = 0; k < 3; ++k) {
+            m[4 * i + k] = all_zero ? i == k : (double)transform[4 * i + k];
+            place->model[3 * i + k] = m[4 * i + k];
+        }
+    m[15] = 1;
+    if (!sil_i_all_finite(transform, 16))
+        return 0;
+    det = sil_i_minor(m, 0, 1, 2, 3);
+    place->invertible = !sil_i_is_singular(m) && sil_i_abs(det) > 0;
+    for (i = 0; i < 3 && place->invertible; ++i)
+        for (k = 0; k < 3; ++k) {
+            const int r = (k + 1) % 3, s = (k + 2) % 3, c = (i + 1) % 3, d = (i + 2) % 3;
+            place->inverse[3 * k + i] = (m[4 * c + r] * m[4 * d + s] - m[4 * d + r] * m[4 * c + s]) / det;
+        }
+    for (k = 0; k < 3; ++k)
+        place->inverse[9 + k] = 0;
+    sil_i_map(place->model, zero, back);
+    if (place->invertible) {
+        sil_i_map(place->inverse, back, m);
+        for (k = 0; k < 3; ++k)
+            place->inverse[9 + k] = -m[k];
+    }
+    return 1;
+}
+
+/* Box of a component in the world: around the corners of its box. */
+static void sil_i_site_box(const sil_i_site *place, uint32_t component, sil_i_bounds *out) {
+    const sil_i_bounds *box = &place->inner->box[component];
+    int i, k;
+    sil_i_bounds_none(out);
+    for (i = 0; i < 8; ++i) {
+        sil_i_bounds corner;
+        double p[3];
+        for (k = 0; k < 3; ++k)
+            p[k] = i >> k & 1 ? box->high[k] : box->low[k];
+        sil_i_map(place->model, p, corner.low);
+        memcpy(corner.high, corner.low, sizeof corner.high);
+        sil_i_bounds_add(out, &corner);
+    }
+    for (k = 0; k < 3; ++k) { /* what rounding may have moved */
+        const double more = 1e-12 * (sil_i_abs(out->low[k]) + sil_i_abs(out->high[k]));
+        out->low[k] -= more;
+        out->high[k] += more;
+    }
+}
+
+static void sil_i_sample_at(const sil_i_site *place, uint32_t sample, double out[3]) {
+    const sil_mesh *mesh = place->inner->mesh;
+    const uint32_t *corner = mesh->corner + 3 * (size_t)(sample / 4);
+    double p[3];
+    int k;
+    for (k = 0; k < 3; ++k) {
+        const double a = (double)mesh->rest.position[3 * (size_t)corner[0] + (size_t)k];
+        const double b = (double)mesh->rest.position[3 * (size_t)corner[1] + (size_t)k];
+        const double c = (double)mesh->rest.position[3 * (size_t)corner[2] + (size_t)k];
+        p[k] = sample % 4 == 0 ? a : sample % 4 == 1 ? b : sample % 4 == 2 ? c : (a + b + c) / 3;
+    }
+    sil_i_map(place->model, p, out);
+}
+
+/* Is a point of the world within a component? 2: in its surface. */
+static int sil_i_site_has(const sil_i_site *place, uint32_t component, const double point[3]) {
+    const sil_i_inner *in = place->inner;
+    double p[3];
+    float at[3];
+    int axis, k, votes = 0;
+    sil_i_map(place->inverse, point, p);
+    for (k = 0; k < 3; ++k) {
+        if (!(p[k] >= in->box[component].low[k] && p[k] <= in->box[component].high[k]))
+            return 0;
+        at[k] = (float)p[k];
+    }
+    for (axis = 0; axis < 3; ++axis) {
+        sil_i_ray ray;
+        uint32_t face;
+        int odd = 0;
+        sil_i_ray_begin(&ray, in->mesh, &in->tree, at, axis);
+        ray.label = in->label;
+        ray.only = component;
+        while ((face = sil_i_ray_next(&ray)) != SIL_NONE)
+            odd ^= 1;
+        if (ray.touches)
+            return 2;
+        votes += odd;
+    }
+    return votes >= 2;
+}
+
+static void sil_i_add_pair(sil_i_world *w, uint32_t inside, uint32_t around) {
+    if (w->pair_count == w->pair_room) {
+        sil_i_pair *more = (sil_i_pair *)sil_i_take(&w->heap, 2 * w->pair_room + 64, sizeof *more);
+        if (!more)
+            return;
+        if (w->pair_count)
+            memcpy(more, w->pair, w->pair_count * sizeof *more);
+        sil_i_give(&w->heap.allocator, w->pair);
+        w->pair = more;
+        w->pair_room = 2 * w->pair_room + 64;
+    }
+    w->pair[w->pair_count].inside = inside;
+    w->pair[w->pair_count++].around = around;
+}
+
+/* Counts a point of a part for all parts that it is within, once each. */
+static void sil_i_try_point(sil_i_world *w, uint32_t part, const double point[3], uint32_t stamp, uint32_t *touched) {
+    sil_i_walk walk;
+    uint32_t found;
+    sil_i_walk_begin(&walk, &w->tree, point, point, 0);
+    while ((found = sil_i_walk_next(&walk)) != SIL_NONE) {
+        const sil_i_solid *s = &w->solid[found];
+        int has;
+        if (s->part == part || w->stamp[s->part] == stamp)
+            continue;
+        has = sil_i_site_has(&w->place[s->part], s->component, point);
+        if (!has)
+            continue;
+        w->stamp[s->part] = stamp;
+        if (!w->hits[2 * s->part] && !w->hits[2 * s->part + 1])
+            w->touched[(*touched)++] = s->part;
+        ++w->hits[2 * s->part + (has == 2)];
+    }
+}
+
+/* All points of one part, and what they say. */
+static void sil_i_try_part(sil_i_world *w, uint32_t part, uint32_t *stamp, uint32_t *facts) {
+    const sil_i_site *place = &w->place[part];
+    uint32_t touched = 0, i, total = place->inner->sample_first[place->end] - place->inner->sample_first[place->first];
+    for (i = place->inner->sample_first[place->first]; i < place->inner->sample_first[place->end]; ++i) {
+        double point[3];
+        sil_i_sample_at(place, place->inner->sample[i], point);
+        sil_i_try_point(w, part, point, ++*stamp, &touched);
+    }
+    for (i = 0; i < touched; ++i) {
+        const uint32_t around = w->touched[i], within = w->hits[2 * around], on = w->hits[2 * around + 1];
+        w->hits[2 * around] = w->hits[2 * around + 1] = 0;
+        if (within && within + on == total)
+            sil_i_add_pair(w, part, around);
+        else if (within) {
+            facts[part] |= SIL_PART_CROSSES;
+            facts[around] |= SIL_PART_CROSSES;
+        }
+    }
+}
+
+/* The parent is that one of the parts around which has the most around itself, but less than the part: no circles. */
+static void sil_i_choose_parents(const sil_i_world *w, uint32_t *depth, uint32_t *parents, uint32_t *facts) {
+    size_t i;
+    memset(depth, 0, w->part_count * sizeof *depth);
+    for (i = 0; i < w->pair_count; ++i) {
+        ++depth[w->pair[i].inside];
+        facts[w->pair[i].around] |= SIL_PART_ENCLOSES;
+    }
+    for (i = 0; i < w->pair_count; ++i) {
+        const uint32_t inside = w->pair[i].inside, around = w->pair[i].around, best = parents[inside];
+        if (depth[around] < depth[inside] &&
+            (best == SIL_NONE || depth[around] > depth[best] || (depth[around] == depth[best] && around < best)))
+            parents[inside] = around;
+    }
+}
+
+/* One sil_i_inner for each mesh: those of parts that share one are found by a table. */
+static sil_result sil_i_world_read(sil_i_world *w, size_t samples) {
+    const size_t table_size = sil_i_table_size(w->part_count);
+    uint32_t *table = sil_i_take_words(&w->heap, table_size), i;
+    sil_result result = SIL_OK;
+    w->inner = (sil_i_inner *)sil_i_take(&w->heap, w->part_count, sizeof *w->inner);
+    w->place = (sil_i_site *)sil_i_take(&w->heap, w->part_count, sizeof *w->place);
+    if (!w->heap.failed) {
+        memset(table, 0xff, table_size * sizeof *table);
+        memset(w->inner, 0, w->part_count * sizeof *w->inner);
+        memset(w->place, 0, w->part_count * sizeof *w->place);
+    }
+    for (i = 0; i < w->part_count && !w->heap.failed && result == SIL_OK; ++i) {
+        const sil_mesh *mesh = w->parts[i].mesh;
+        const uint64_t name = (uint64_t)(size_t)mesh;
+        size_t at = sil_i_hash((uint32_t)(name & 0xffffffffu), (uint32_t)(name >> 32), 0) & (table_size - 1);
+        while (table[at] != SIL_NONE && w->inner[table[at]].mesh != mesh)
+            at = (at + 1) & (table_size - 1);
+        if (table[at] == SIL_NONE) {
+            table[at] = (uint32_t)w->inner_count;
+            w->inner[w->inner_count].mesh = mesh;
+            sil_i_inner_make(&w->inner[w->inner_count++], samples, &w->heap);
+        }
+        w->place[i].inner = &w->inner[table[at]];
+        w->place[i].end = w->place[i].inner->count;
+        if (w->parts[i].component) {
+            w->place[i].first = w->parts[i].component - 1;
+            w->place[i].end = w->parts[i].component;
+        }
+        if (!w->heap.failed &&
+            (w->place[i].end > w->place[i].inner->count || !sil_i_site_read(&w->place[i], w->parts[i].transform)))
+            result = SIL_INVALID_ARGUMENT;
+    }
+    sil_i_give(&w->heap.allocator, table);
+    return w->heap.failed ? SIL_OUT_OF_MEMORY : result;
+}
+
+/* The closed components of all parts that are not flattened, and a tree over their boxes. */
+static void sil_i_world_solids(sil_i_world *w, uint32_t *facts) {
+    sil_i_bounds *boxes;
+    uint32_t i, c;
+    size_t count = 0;
+    for (i = 0; i < w->part_count; ++i)
+        count += w->place[i].end - w->place[i].first;
+    w->solid = (sil_i_solid *)sil_i_take(&w->heap, count, sizeof *w->solid);
+    boxes = (sil_i_bounds *)sil_i_take(&w->heap, count, sizeof *boxes);
+    for (i = 0; i < w->part_count && !w->heap.failed; ++i) {
+        const sil_i_site *place = &w->place[i];
+        facts[i] = place->end > place->first && place->invertible ? SIL_PART_CLOSED : 0;
+        for (c = place->first; c < place->end; ++c)
+            if (place->inner->open[c] || !place->invertible)
+                facts[i] &= ~(uint32_t)SIL_PART_CLOSED;
+            else {
+                sil_i_site_box(place, c, &boxes[w->solid_count]);
+                w->solid[w->solid_count].part = i;
+                w->solid[w->solid_count++].component = c;
+            }
+    }
+    if (!w->heap.failed)
+        sil_i_bvh_make(&w->tree, boxes, w->solid_count, &w->heap);
+    sil_i_give(&w->heap.allocator, boxes);
+}
+
+static void sil_i_world_try(sil_i_world *w, uint32_t *parents, uint32_t *facts) {
+    const size_t count = w->part_count;
+    uint32_t part, stamp = 0;
+    w->hits = sil_i_take_words(&w->heap, 2 * count);
+    w->stamp = sil_i_take_words(&w->heap, count);
+    w->touched = sil_i_take_words(&w->heap, count);
+    if (w->heap.failed)
+        return;
+    memset(w->hits, 0, 2 * count * sizeof *w->hits);
+    memset(w->stamp, 0, count * sizeof *w->stamp);
+    for (part = 0; part < count && !w->heap.failed; ++part)
+        sil_i_try_part(w, part, &stamp, facts);
+    if (!w->heap.failed)
+        sil_i_choose_parents(w, w->touched, parents, facts);
+}
+
+static void sil_i_world_give(sil_i_world *w) {
+    const sil_allocator *a = &w->heap.allocator;
+    size_t i;
+    for (i = 0; i < w->inner_count; ++i) {
+        sil_i_bvh_give(a, &w->inner[i].tree);
+        sil_i_give(a, w->inner[i].label);
+        sil_i_give(a, w->inner[i].open);
+        sil_i_give(a, w->inner[i].box);
+        sil_i_give(a, w->inner[i].sample);
+        sil_i_give(a, w->inner[i].sample_first);
+    }
+    sil_i_give(a, w->inner);
+    sil_i_give(a, w->place);
+    sil_i_give(a, w->solid);
+    sil_i_bvh_give(a, &w->tree);
+    sil_i_give(a, w->pair);
+    sil_i_give(a, w->hits);
+    sil_i_give(a, w->stamp);
+    sil_i_give(a, w->touched);
+}
+
+SIL_DEF sil_result sil_containment(const sil_part *parts, size_t part_count, size_t samples, uint32_t *parents,
+                                   uint32_t *facts) {
+    sil_i_world w;
+    sil_result result;
+    uint32_t *own_facts;
+    size_t i;
+    for (i = 0; i < part_count; ++i)
+        if (!parts || !parents || !parts[i].mesh)
+            return SIL_INVALID_ARGUMENT;
+    if (part_count >= SIL_NONE)
+        return SIL_TOO_LARGE;
+    if (!part_count)
+        return SIL_OK;
+    memset(&w, 0, sizeof w);
+    w.parts = parts;
+    w.part_count = part_count;
+    w.heap.allocator = parts[0].mesh->allocator;
+    own_facts = sil_i_take_words(&w.heap, part_count);
+    result = sil_i_world_read(&w, samples ? samples : 24);
+    if (result == SIL_OK) {
+        for (i = 0; i < part_count; ++i)
+            parents[i] = SIL_NONE;
+        sil_i_world_solids(&w, own_facts);
+        if (!w.heap.failed)
+            sil_i_world_try(&w, parents, own_facts);
+        result = w.heap.failed ? SIL_OUT_OF_MEMORY : SIL_OK;
+    }
+    if (result == SIL_OK && facts)
+        memcpy(facts, own_facts, part_count * sizeof *facts);
+    sil_i_world_give(&w);
+    sil_i_give(&w.heap.allocator, own_facts);
+    return result;
 }
 
 /* ---- the dead zone ---- */
