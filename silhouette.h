@@ -3602,83 +3602,6 @@ SIL_DEF sil_result sil_containment(const sil_part *parts, size_t part_count, siz
     return result;
 }
 
-/* ---- the dead zone ---- */
-
-SIL_DEF sil_result sil_pose_set_dead_zone(sil_pose *pose, double sine, unsigned flags) {
-    if (!pose || !(sine >= 0 && sine < 1) || flags & ~(unsigned)SIL_ZONE_REMEMBER)
-        return SIL_INVALID_ARGUMENT;
-    if (flags & SIL_ZONE_REMEMBER && !pose->zone_last) {
-        const sil_allocator *a = &pose->mesh->allocator;
-        pose->zone_last = (unsigned char *)a->alloc_fn(pose->mesh->face_count + 1, a->user);
-        if (!pose->zone_last)
-            return SIL_OUT_OF_MEMORY;
-    }
-    if (pose->zone_last)
-        memset(pose->zone_last, 0, pose->mesh->face_count);
-    pose->zone_sine = sine;
-    pose->zone_remembers = (flags & SIL_ZONE_REMEMBER) != 0;
-    return SIL_OK;
-}
-
-/* Divides a vector by its largest coordinate, so that its square has a range to be in. */
-static void sil_i_shrink(double v[3]) {
-    const double size = sil_i_larger(sil_i_abs(v[0]), sil_i_larger(sil_i_abs(v[1]), sil_i_abs(v[2])));
-    int k;
-    for (k = 0; k < 3 && size > 0; ++k)
-        v[k] /= size;
-}
-
-/* |n . w| <= sine |n| |w|, w from the middle of the corners to the eye, in double. */
-static int sil_i_in_zone(const sil_i_shape *shape, const uint32_t *corner, const sil_i_eye *eye, double sine) {
-    const float *a = shape->position + 3 * (size_t)corner[0], *b = shape->position + 3 * (size_t)corner[1];
-    const float *c = shape->position + 3 * (size_t)corner[2];
-    double u[3], v[3], w[3], n[3], dot = 0, nn = 0, ww = 0;
-    int k;
-    for (k = 0; k < 3; ++k) {
-        u[k] = (double)b[k] - (double)a[k];
-        v[k] = (double)c[k] - (double)a[k];
-        w[k] = 3 * eye->e[k] - eye->e[3] * ((double)a[k] + (double)b[k] + (double)c[k]);
-    }
-    sil_i_shrink(u);
-    sil_i_shrink(v);
-    sil_i_shrink(w);
-    for (k = 0; k < 3; ++k)
-        n[k] = u[(k + 1) % 3] * v[(k + 2) % 3] - u[(k + 2) % 3] * v[(k + 1) % 3];
-    sil_i_shrink(n);
-    for (k = 0; k < 3; ++k) {
-        dot += n[k] * w[k];
-        nn += n[k] * n[k];
-        ww += w[k] * w[k];
-    }
-    return dot * dot <= sine * sine * nn * ww;
-}
-
-/* Changes exact signs of all faces to those with the pose's zone. Planes tell cheaply which faces surely are outside:
-   in their space |n . w| <= sine |w| and |w| <= |e| + sqrt(3) |ew|. */
-static void sil_i_zone_apply(sil_pose *pose, const sil_i_shape *shape, const sil_i_eye *eye) {
-    const sil_mesh *mesh = pose->mesh;
-    const double ex = (double)eye->plane[0], ey = (double)eye->plane[1], ez = (double)eye->plane[2];
-    const double reach = sqrt(ex * ex + ey * ey + ez * ez) + 1.7320509 * sil_i_abs((double)eye->plane[3]);
-    const float edge = (float)(1.001 * pose->zone_sine * reach) + 2 * eye->limit;
-    unsigned char *front = pose->front, *last = pose->zone_remembers ? pose->zone_last : NULL;
-    size_t f;
-    for (f = 0; f < mesh->face_count; ++f) {
-        const float t = shape->plane[0][f] * eye->plane[0] + shape->plane[1][f] * eye->plane[1] +
-                        shape->plane[2][f] * eye->plane[2] - shape->plane[3][f] * eye->plane[3];
-        const uint32_t *corner = mesh->corner + 3 * f;
-        if (shape->bad_count && (shape->bad[corner[0]] | shape->bad[corner[1]] | shape->bad[corner[2]]))
-            continue;
-        if (t <= edge && t >= -edge && !(mesh->face_flags[f] & SIL_I_BORROWS) &&
-            sil_i_in_zone(shape, corner, eye, pose->zone_sine))
-            front[f] = last ? last[f] : 0;
-        if (last)
-            last[f] = front[f];
-    }
-    for (f = 0; f < mesh->flat_count; ++f)
-        if (mesh->flat_root[f] != SIL_NONE)
-            front[mesh->flat_face[f]] = front[mesh->flat_root[f]];
-}
-
 /* ---- extraction ---- */
 
 /* How the faces of one call are told apart: by signs found before, or, without a pose, one at a time. */
@@ -3998,6 +3921,110 @@ static void sil_i_extract_found(const sil_i_signs *signs, const sil_pose *pose, 
     }
 }
 
+/* ---- the dead zone ---- */
+
+SIL_DEF sil_result sil_pose_set_dead_zone(sil_pose *pose, double sine, unsigned flags) {
+    if (!pose || !(sine >= 0 && sine < 1) || flags & ~(unsigned)SIL_ZONE_REMEMBER)
+        return SIL_INVALID_ARGUMENT;
+    if (flags & SIL_ZONE_REMEMBER && !pose->zone_last) {
+        const sil_allocator *a = &pose->mesh->allocator;
+        pose->zone_last = (unsigned char *)a->alloc_fn(pose->mesh->face_count + 1, a->user);
+        if (!pose->zone_last)
+            return SIL_OUT_OF_MEMORY;
+    }
+    if (pose->zone_last)
+        memset(pose->zone_last, 0, pose->mesh->face_count);
+    pose->zone_sine = sine;
+    pose->zone_remembers = (flags & SIL_ZONE_REMEMBER) != 0;
+    return SIL_OK;
+}
+
+/* Divides a vector by its largest coordinate, so that its square has a range to be in. */
+static void sil_i_shrink(double v[3]) {
+    const double size = sil_i_larger(sil_i_abs(v[0]), sil_i_larger(sil_i_abs(v[1]), sil_i_abs(v[2])));
+    int k;
+    for (k = 0; k < 3 && size > 0; ++k)
+        v[k] /= size;
+}
+
+/* |n . w| <= sine |n| |w|, w from the middle of the corners to the eye, in double. */
+static int sil_i_in_zone(const sil_i_shape *shape, const uint32_t *corner, const sil_i_eye *eye, double sine) {
+    const float *a = shape->position + 3 * (size_t)corner[0], *b = shape->position + 3 * (size_t)corner[1];
+    const float *c = shape->position + 3 * (size_t)corner[2];
+    double u[3], v[3], w[3], n[3], dot = 0, nn = 0, ww = 0;
+    int k;
+    for (k = 0; k < 3; ++k) {
+        u[k] = (double)b[k] - (double)a[k];
+        v[k] = (double)c[k] - (double)a[k];
+        w[k] = 3 * eye->e[k] - eye->e[3] * ((double)a[k] + (double)b[k] + (double)c[k]);
+    }
+    sil_i_shrink(u);
+    sil_i_shrink(v);
+    sil_i_shrink(w);
+    for (k = 0; k < 3; ++k)
+        n[k] = u[(k + 1) % 3] * v[(k + 2) % 3] - u[(k + 2) % 3] * v[(k + 1) % 3];
+    sil_i_shrink(n);
+    for (k = 0; k < 3; ++k) {
+        dot += n[k] * w[k];
+        nn += n[k] * n[k];
+        ww += w[k] * w[k];
+    }
+    return dot * dot <= sine * sine * nn * ww;
+}
+
+/* Changes exact signs of all faces to those with the pose's zone. Planes tell cheaply which faces surely are outside:
+   in their space |n . w| <= sine |w| and |w| <= |e| + sqrt(3) |ew|. */
+static void sil_i_zone_apply(sil_pose *pose, const sil_i_shape *shape, const sil_i_eye *eye) {
+    const sil_mesh *mesh = pose->mesh;
+    const double ex = (double)eye->plane[0], ey = (double)eye->plane[1], ez = (double)eye->plane[2];
+    const double reach = sqrt(ex * ex + ey * ey + ez * ez) + 1.7320509 * sil_i_abs((double)eye->plane[3]);
+    const float edge = (float)(1.001 * pose->zone_sine * reach) + 2 * eye->limit;
+    unsigned char *front = pose->front, *last = pose->zone_remembers ? pose->zone_last : NULL;
+    size_t f;
+    for (f = 0; f < mesh->face_count; ++f) {
+        const float t = shape->plane[0][f] * eye->plane[0] + shape->plane[1][f] * eye->plane[1] +
+                        shape->plane[2][f] * eye->plane[2] - shape->plane[3][f] * eye->plane[3];
+        const uint32_t *corner = mesh->corner + 3 * f;
+        if (shape->bad_count && (shape->bad[corner[0]] | shape->bad[corner[1]] | shape->bad[corner[2]]))
+            continue;
+        if (t <= edge && t >= -edge && !(mesh->face_flags[f] & SIL_I_BORROWS) &&
+            sil_i_in_zone(shape, corner, eye, pose->zone_sine))
+            front[f] = last ? last[f] : 0;
+        if (last)
+            last[f] = front[f];
+    }
+    for (f = 0; f < mesh->flat_count; ++f)
+        if (mesh->flat_root[f] != SIL_NONE)
+            front[mesh->flat_face[f]] = front[mesh->flat_root[f]];
+}
+
+/* sil_extract by the flat scan over signs with the zone. */
+static size_t sil_i_zone_extract(sil_i_signs *signs, sil_pose *pose, unsigned kinds, sil_edge *edges, size_t capacity) {
+    const sil_mesh *mesh = signs->mesh;
+    const unsigned char fixed = (unsigned char)((kinds & SIL_I_LINES) | SIL_I_MANY), *front = pose->front;
+    uint32_t e, face[2];
+    size_t count = 0;
+    sil_i_front_all(mesh, signs->shape, &signs->eye, pose->front);
+    if (signs->eye.valid)
+        sil_i_zone_apply(pose, signs->shape, &signs->eye);
+    sil_i_clear_bad_faces(mesh, signs->shape, pose->front);
+    signs->front = pose->front;
+    for (e = 0; e < mesh->edge_count; ++e) {
+        unsigned found;
+        if (!(mesh->edge_kinds[e] & fixed) && front[mesh->edge_face[0][e]] == front[mesh->edge_face[1][e]])
+            continue;
+        if (sil_i_edge_is_bad(signs, e))
+            continue;
+        found = sil_i_classify(signs, e, face);
+        if (!(found & kinds & SIL_I_LINES))
+            continue;
+        if (edges && count < capacity)
+            sil_i_write_edge(signs, e, found, face, &edges[count]);
+        ++count;
+    }
+    return count;
+}
+
 SIL_DEF size_t sil_extract(const sil_mesh *mesh, sil_pose *pose, const sil_view *view, unsigned kinds, sil_edge *edges,
                            size_t capacity) {
     sil_i_signs signs;
@@ -4015,15 +4042,15 @@ SIL_DEF size_t sil_extract(const sil_mesh *mesh, sil_pose *pose, const sil_view 
     if (view) {
         signs.in_view = 1;
         sil_i_eye_make(&signs.eye, view, signs.shape);
-        if (pose && !pose->is_set && !(pose->zone_sine > 0) && mesh->hierarchy && kinds & SIL_SILHOUETTE &&
-            signs.eye.valid && sil_i_hunt_edges(&signs, pose, kinds, &found)) {
+        if (pose && pose->zone_sine > 0)
+            return sil_i_zone_extract(&signs, pose, kinds, edges, capacity);
+        if (pose && !pose->is_set && mesh->hierarchy && kinds & SIL_SILHOUETTE && signs.eye.valid &&
+            sil_i_hunt_edges(&signs, pose, kinds, &found)) {
             sil_i_extract_found(&signs, pose, found, &out);
             return out.count;
         }
         if (pose) {
             sil_i_front_all(mesh, signs.shape, &signs.eye, pose->front);
-            if (pose->zone_sine > 0 && signs.eye.valid)
-                sil_i_zone_apply(pose, signs.shape, &signs.eye);
             sil_i_clear_bad_faces(mesh, signs.shape, pose->front);
             signs.front = pose->front;
         }
