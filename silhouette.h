@@ -483,6 +483,18 @@ SIL_DEF size_t sil_ribbons(const sil_mesh *mesh, const sil_pose *pose, const sil
 #define SIL_ASSERT(condition) ((void)0)
 #endif
 
+/* Vector code is made for machines that have AVX2, and used where this one does; SIL_NO_SIMD leaves it out. Both ways
+   give the same bits. */
+#if !defined(SIL_NO_SIMD) && (defined(__x86_64__) || defined(__i386__)) && defined(__GNUC__) && !defined(__TINYC__)
+#include <immintrin.h>
+#define SIL_I_WIDE __attribute__((target("avx2,bmi")))
+#endif
+#ifdef SIL_I_WIDE
+#define SIL_I_INLINE static inline __attribute__((always_inline)) /* becomes vector code within vector code only */
+#else
+#define SIL_I_INLINE static
+#endif
+
 #define SIL_I_BLOCK 64u    /* faces or edges handled at a time; arrays of them are padded to a multiple of it */
 #define SIL_I_LANES 8u     /* segments whose distances are computed at a time */
 #define SIL_I_LEVELS 12    /* of a tree: 8^12 leaves are more than there can be */
@@ -525,15 +537,15 @@ struct sil_mesh {
     uint32_t *many_edge, *many_first, *many_face; /* edges with SIL_I_MANY, rising, and their faces */
     size_t many_count;
     sil_i_shape rest;
+    struct sil_i_patches *patches;
     struct sil_i_hierarchy *hierarchy; /* NULL: none */
+    int wide;                          /* does this machine have the instructions of SIL_I_WIDE? */
 };
 
 struct sil_pose {
     const sil_mesh *mesh;
     unsigned char *front; /* of each face in the last view: 1 in front */
-    uint32_t *found;      /* edges found by the hierarchy */
-    size_t found_capacity;
-    unsigned flat_left, flat_wait; /* views until the hierarchy is tried again, and how many it was the last time */
+    size_t looked;        /* patches that the hierarchy left to look at in the last view; 0: it was not used */
     int is_set;
     sil_i_shape shape; /* allocated by the first sil_pose_set */
     void *scratch;
@@ -610,6 +622,15 @@ static void sil_i_give(const sil_allocator *allocator, void *memory) {
 
 static size_t sil_i_padded(size_t count) {
     return (count + SIL_I_BLOCK - 1) / SIL_I_BLOCK * SIL_I_BLOCK;
+}
+
+static int sil_i_has_wide(void) {
+#ifdef SIL_I_WIDE
+    __builtin_cpu_init();
+    return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi");
+#else
+    return 0;
+#endif
 }
 
 /* ---- numbers as bits: what compiler flags cannot change ---- */
@@ -963,6 +984,42 @@ static void sil_i_eye_make(sil_i_eye *eye, const sil_view *view, const sil_i_sha
     eye->valid = 1;
     sil_i_eye_round(eye);
     sil_i_eye_for_planes(eye, shape);
+}
+
+/* On which side of a face's plane in rest is a point? 1 in front of it, 0 exactly in it. */
+static int sil_i_off_plane(const sil_mesh *mesh, uint32_t face, const float *point) {
+    const uint32_t *corner = mesh->corner + 3 * (size_t)face;
+    const float *p[3];
+    sil_i_eye eye;
+    int i, sign, finite = 1;
+    memset(&eye, 0, sizeof eye);
+    for (i = 0; i < 3; ++i) {
+        p[i] = mesh->rest.position + 3 * (size_t)corner[i];
+        eye.e[i] = (double)point[i];
+        eye.number[i] = sil_i_from_double(eye.e[i], &finite);
+    }
+    eye.e[3] = 1;
+    eye.number[3].mantissa = 1;
+    sign = sil_i_filtered_sign(p[0], p[1], p[2], &eye);
+    if (!sign && !sil_i_plainly_zero(p[0], p[1], p[2], &eye))
+        sign = sil_i_exact_sign(p[0], p[1], p[2], &eye);
+    return sign;
+}
+
+/* Do two faces with an area lie exactly in one plane and look the same way? */
+static int sil_i_same_plane(const sil_mesh *mesh, uint32_t f, uint32_t g) {
+    const sil_i_shape *rest = &mesh->rest;
+    int i;
+    if (f == SIL_NONE || g == SIL_NONE)
+        return 0;
+    if (!(rest->plane[0][f] * rest->plane[0][g] + rest->plane[1][f] * rest->plane[1][g] +
+              rest->plane[2][f] * rest->plane[2][g] >
+          0.5f))
+        return 0; /* or there is no plane */
+    for (i = 0; i < 3; ++i)
+        if (sil_i_off_plane(mesh, f, rest->position + 3 * (size_t)mesh->corner[3 * (size_t)g + (size_t)i]) != 0)
+            return 0;
+    return 1;
 }
 
 static uint32_t sil_i_root(const sil_mesh *mesh, uint32_t face) {
@@ -2598,29 +2655,15 @@ static unsigned sil_i_part_border(sil_mesh *mesh, uint32_t edge, const uint32_t 
    that corner, as an eye, is the same with the faces exchanged. */
 static unsigned sil_i_fold(const sil_mesh *mesh, uint32_t edge) {
     const uint32_t f0 = mesh->edge_face[0][edge], f1 = mesh->edge_face[1][edge];
-    const uint32_t *v = mesh->edge_vertex + 2 * (size_t)edge, *a = mesh->corner + 3 * (size_t)f0;
-    const uint32_t *b = mesh->corner + 3 * (size_t)f1;
-    const float *p[3], *opposite;
-    sil_i_eye eye;
-    int i, sign, finite = 1, k = 0;
+    const uint32_t *v = mesh->edge_vertex + 2 * (size_t)edge, *b = mesh->corner + 3 * (size_t)f1;
+    int sign, k = 0;
     if (mesh->edge_kinds[edge] & SIL_I_MANY || f0 == f1 ||
         (mesh->face_flags[f0] | mesh->face_flags[f1]) & ~SIL_I_PIECE ||
         sil_i_rises(mesh, f0, edge) == sil_i_rises(mesh, f1, edge))
         return 0;
     while (b[k] == v[0] || b[k] == v[1])
         ++k;
-    opposite = mesh->rest.position + 3 * (size_t)b[k];
-    memset(&eye, 0, sizeof eye);
-    for (i = 0; i < 3; ++i) {
-        p[i] = mesh->rest.position + 3 * (size_t)a[i];
-        eye.e[i] = (double)opposite[i];
-        eye.number[i] = sil_i_from_double(eye.e[i], &finite);
-    }
-    eye.e[3] = 1;
-    eye.number[3].mantissa = 1;
-    sign = sil_i_filtered_sign(p[0], p[1], p[2], &eye);
-    if (!sign && !sil_i_plainly_zero(p[0], p[1], p[2], &eye))
-        sign = sil_i_exact_sign(p[0], p[1], p[2], &eye);
+    sign = sil_i_off_plane(mesh, f0, mesh->rest.position + 3 * (size_t)b[k]);
     return sign < 0 ? SIL_CONVEX : sign > 0 ? SIL_CONCAVE : 0;
 }
 
@@ -2659,13 +2702,35 @@ static void sil_i_build_components(sil_mesh *mesh, sil_i_heap *scratch) {
     sil_i_give(&scratch->allocator, parent);
 }
 
-/* ---- the hierarchy ---- */
+/* ---- patches and the hierarchy ---- */
 
-#define SIL_I_LEAF 32u          /* faces of a leaf */
+#define SIL_I_PATCH 32u   /* faces of a patch */
+#define SIL_I_PLACES 128u /* faces that a patch has to do with, at most: its own, and one across each of their edges */
 #define SIL_I_WORTHWHILE 60000u /* edges from which on a mesh has a hierarchy unless told otherwise */
-#define SIL_I_GIVE_WAY 4u       /* a search ends where more than one in so many leaves were looked at */
-#define SIL_I_MOST_FOUND 8u     /* or more than one in so many edges found */
-#define SIL_I_PATIENCE 64u      /* views by the flat scan before the next try, at most */
+
+/* Patch i is faces 32 i .. 32 i + 31. An edge of two faces belongs to the patch of its first one, and edges are numbered
+   by their first faces. A patch also knows the faces across its edges that are not its own, its rim: where all of them
+   and its own have one sign it has no silhouette. Faces have places in a patch: its own from 0 on, the rim's from 32.
+   All that is read of a patch to find and write its silhouettes is in one block of cache lines: its head, with a
+   hierarchy the planes at its places (see sil_i_quantise), the places of its edges' faces (32 first and 32 second ones in
+   turn; 0, 0 for an edge that has not two), and its edges' records (see sil_i_set_record). */
+typedef struct sil_i_patches {
+    size_t count;
+    uint32_t *edge_first, *rim_first; /* of each patch, and the end; rims are multiples of 8 */
+    uint32_t *rim;
+    uint32_t *line;                /* of each patch: where its block begins, and the end */
+    unsigned char *memory, *block; /* block: the first whole cache line of memory */
+    uint32_t *special;             /* edges that are more than the border of two faces, rising */
+    size_t special_count;
+} sil_i_patches;
+
+#define SIL_I_LINE 64u /* bytes */
+
+typedef struct sil_i_head {
+    uint32_t edge_first, edge_count, places;
+    uint32_t planes; /* lines of planes */
+    uint32_t loose;  /* 1: a face has no plane */
+} sil_i_head;
 
 /* Eight boxes around float planes (normal, offset), each about an origin of its own: a plane n, d of the shape has offset
    d - n . origin there, which varies little within a small patch of a curved surface. */
@@ -2673,198 +2738,327 @@ typedef struct sil_i_cones {
     float origin[3][SIL_I_LANES], mid[4][SIL_I_LANES], half[4][SIL_I_LANES];
 } sil_i_cones;
 
-/* Leaf i is faces 32 i .. 32 i + 31. An edge of two faces belongs to the leaf of its first one, and edges are numbered by
-   their first faces. A leaf also holds the planes of the faces across its edges that are not its own, its rim: where all
-   of them and its own have one sign it has no silhouette. Child k of cones i of a level is leaf or cones 8 * i + k of the
-   level below. */
+/* Child k of cones i of a level is patch or cones 8 * i + k of the level below. */
 typedef struct sil_i_hierarchy {
-    size_t leaf_count;
-    uint32_t *edge_first, *rim_first; /* of each leaf, and the end; rims are multiples of 8 */
-    float *plane[4];                  /* of the rims */
-    uint32_t *face;
-    unsigned char
-        *side; /* two an edge: its faces' places in the leaf, the rim's from 32 on; 0, 0 where it has not two */
     sil_i_cones *cones;
     size_t first[SIL_I_LEVELS];
     unsigned levels;
-    uint32_t *special; /* edges that are more than the border of two faces, rising */
-    size_t special_count;
 } sil_i_hierarchy;
 
-static void sil_i_hierarchy_give(const sil_allocator *allocator, sil_i_hierarchy *h) {
-    int k;
-    sil_i_give(allocator, h->edge_first);
-    sil_i_give(allocator, h->rim_first);
-    for (k = 0; k < 4; ++k)
-        sil_i_give(allocator, h->plane[k]);
-    sil_i_give(allocator, h->face);
-    sil_i_give(allocator, h->side);
-    sil_i_give(allocator, h->cones);
-    sil_i_give(allocator, h->special);
+static void sil_i_patches_give(const sil_allocator *allocator, sil_i_patches *p) {
+    sil_i_give(allocator, p->edge_first);
+    sil_i_give(allocator, p->rim_first);
+    sil_i_give(allocator, p->rim);
+    sil_i_give(allocator, p->line);
+    sil_i_give(allocator, p->memory);
+    sil_i_give(allocator, p->special);
 }
 
-/* The rim of a leaf. Its edges' sides are written, and their faces' places in place[]: leaf << 8 | place. Returns the
-   number of faces. */
-static size_t sil_i_leaf_rim(const sil_mesh *mesh, sil_i_hierarchy *h, uint32_t leaf, uint32_t *place, uint32_t *rim) {
+static void sil_i_hierarchy_give(const sil_allocator *allocator, sil_i_hierarchy *h) {
+    sil_i_give(allocator, h->cones);
+}
+
+/* The parts of a patch's block. */
+SIL_I_INLINE const sil_i_head *sil_i_patch_head(const sil_i_patches *p, size_t patch) {
+    return (const sil_i_head *)(const void *)(p->block + SIL_I_LINE * (size_t)p->line[patch]);
+}
+
+SIL_I_INLINE const int16_t *sil_i_patch_planes(const sil_i_head *head) {
+    return (const int16_t *)(const void *)((const unsigned char *)head + SIL_I_LINE);
+}
+
+SIL_I_INLINE const unsigned char *sil_i_patch_sides(const sil_i_head *head) {
+    return (const unsigned char *)head + SIL_I_LINE * (1 + (size_t)head->planes);
+}
+
+SIL_I_INLINE const uint32_t *sil_i_patch_records(const sil_i_head *head) {
+    const size_t sides = (head->edge_count + 31) / 32;
+    return (const uint32_t *)(const void *)((const unsigned char *)head +
+                                            SIL_I_LINE * (1 + (size_t)head->planes + sides));
+}
+
+/* What sil_extract writes of an edge, with the front face first if that is its first one: a, b, the two faces; in the
+   bits that faces' numbers leave free SIL_CONVEX or SIL_CONCAVE (the first), and whether a, b stay where the other face
+   is the front one, since both pass the edge in the same sense (the second). */
+static void sil_i_set_record(const sil_mesh *mesh, uint32_t edge, uint32_t record[4]) {
+    const uint32_t f0 = mesh->edge_face[0][edge], f1 = mesh->edge_face[1][edge];
+    const uint32_t *v = mesh->edge_vertex + 2 * (size_t)edge;
+    const int rises = sil_i_rises(mesh, f0, edge);
+    record[0] = mesh->origin[v[!rises]];
+    record[1] = mesh->origin[v[rises]];
+    record[2] = mesh->source[f0] | (mesh->edge_kinds[edge] & SIL_I_FOLDS) << 24;
+    record[3] = mesh->source[f1] | (uint32_t)(sil_i_rises(mesh, f1, edge) == rises) << 28;
+}
+
+/* The rim of a patch: the faces across its edges. Their places, and those of its own faces, are written to place[]: patch
+   << 8 | place. Returns their number. */
+static size_t sil_i_patch_rim(const sil_mesh *mesh, const sil_i_patches *p, uint32_t patch, uint32_t *place,
+                              uint32_t *rim) {
     size_t e, count = 0;
-    for (e = h->edge_first[leaf]; e < h->edge_first[leaf + 1]; ++e) {
+    for (e = p->edge_first[patch]; e < p->edge_first[patch + 1]; ++e) {
         const uint32_t f0 = mesh->edge_face[0][e], f1 = mesh->edge_face[1][e];
         if (f0 == f1 || mesh->edge_kinds[e] & SIL_I_MANY)
             continue;
-        h->side[2 * e] = (unsigned char)(f0 % SIL_I_LEAF);
-        if (f1 / SIL_I_LEAF == leaf)
-            h->side[2 * e + 1] = (unsigned char)(f1 % SIL_I_LEAF);
-        else {
-            if (place[f1] >> 8 != leaf) {
-                place[f1] = leaf << 8 | (uint32_t)(SIL_I_LEAF + count);
-                rim[count++] = f1;
-            }
-            h->side[2 * e + 1] = (unsigned char)(place[f1] & 255);
+        place[f0] = patch << 8 | f0 % SIL_I_PATCH;
+        if (f1 / SIL_I_PATCH == patch)
+            place[f1] = patch << 8 | f1 % SIL_I_PATCH;
+        else if (place[f1] >> 8 != patch) {
+            place[f1] = patch << 8 | (uint32_t)(SIL_I_PATCH + count);
+            rim[count++] = f1;
         }
+        SIL_ASSERT(SIL_I_PATCH + count <= SIL_I_PLACES);
     }
     return count;
 }
 
-/* Grows a box of planes, given by their numbers in `plane`, about an origin. */
-static void sil_i_cone_grow(float *const plane[4], size_t first, size_t end, const double *origin, double *low,
-                            double *high) {
-    size_t i;
-    int k;
-    for (i = first; i < end; ++i) {
-        double p[4];
-        p[3] = (double)plane[3][i];
-        for (k = 0; k < 3; ++k) {
-            p[k] = (double)plane[k][i];
-            p[3] -= p[k] * origin[k];
-        }
-        for (k = 0; k < 4; ++k) {
-            low[k] = p[k] < low[k] ? p[k] : low[k];
-            high[k] = p[k] > high[k] ? p[k] : high[k];
-        }
+/* All of a patch's block but for the planes. */
+static void sil_i_fill_block(const sil_mesh *mesh, const sil_i_patches *p, size_t patch, const uint32_t *place,
+                             uint32_t planes) {
+    unsigned char *block = p->block + SIL_I_LINE * (size_t)p->line[patch];
+    const uint32_t first = p->edge_first[patch];
+    unsigned char *sides;
+    uint32_t *records;
+    sil_i_head head;
+    uint32_t i;
+    memset(&head, 0, sizeof head);
+    head.edge_first = first;
+    head.edge_count = p->edge_first[patch + 1] - first;
+    head.places = SIL_I_PATCH + p->rim_first[patch + 1] - p->rim_first[patch];
+    head.planes = planes;
+    memcpy(block, &head, sizeof head);
+    sides = block + SIL_I_LINE * (1 + (size_t)planes);
+    records = (uint32_t *)(void *)(sides + SIL_I_LINE * (size_t)((head.edge_count + 31) / 32));
+    for (i = 0; i < head.edge_count; ++i) {
+        const uint32_t e = first + i, f0 = mesh->edge_face[0][e], f1 = mesh->edge_face[1][e];
+        if (f0 == f1 || mesh->edge_kinds[e] & SIL_I_MANY)
+            continue;
+        sides[i / 32 * 64 + i % 32] = (unsigned char)(place[f0] & 255);
+        sides[i / 32 * 64 + i % 32 + 32] = (unsigned char)(place[f1] & 255);
+        sil_i_set_record(mesh, e, records + 4 * (size_t)i);
     }
 }
 
-/* The box of leaves first .. end - 1. Middles are rounded, and half sizes taken from there and rounded up. */
-static void sil_i_cone_set(const sil_mesh *mesh, const sil_i_hierarchy *h, size_t first, size_t end, sil_i_cones *cones,
-                           size_t lane) {
-    double low[4] = {1e9, 1e9, 1e9, 1e9}, high[4] = {-1e9, -1e9, -1e9, -1e9}, origin[3];
-    const size_t last = end * SIL_I_LEAF < mesh->face_count ? end * SIL_I_LEAF : mesh->face_count;
-    size_t i;
+/* Where the edges of each patch begin, and which edges are special. Those of many faces may be anywhere. */
+static void sil_i_share_edges(const sil_mesh *mesh, sil_i_patches *p) {
+    size_t e, patch = 0, specials = 0;
+    for (e = 0; e < mesh->edge_count; ++e) {
+        if (mesh->edge_kinds[e] & ~SIL_I_FOLDS)
+            p->special[specials++] = (uint32_t)e;
+        if (!(mesh->edge_kinds[e] & SIL_I_MANY))
+            while (patch <= mesh->edge_face[0][e] / SIL_I_PATCH)
+                p->edge_first[patch++] = (uint32_t)e;
+    }
+    while (patch <= p->count)
+        p->edge_first[patch++] = (uint32_t)mesh->edge_count;
+}
+
+/* Rims and blocks: counted first, then filled. */
+static void sil_i_fill_patches(const sil_mesh *mesh, sil_i_patches *p, int planes, sil_i_heap *heap, uint32_t *place) {
+    uint32_t rim[SIL_I_PLACES], patch;
+    size_t i, count;
+    int pass;
+    sil_i_share_edges(mesh, p);
+    p->rim_first[0] = p->line[0] = 0;
+    for (pass = 0; pass < 2; ++pass) {
+        memset(place, 0xff, mesh->face_count * sizeof(uint32_t));
+        for (patch = 0; patch < p->count; ++patch) {
+            const uint32_t edges = p->edge_first[patch + 1] - p->edge_first[patch];
+            uint32_t lines;
+            count = sil_i_patch_rim(mesh, p, patch, place, rim);
+            p->rim_first[patch + 1] =
+                p->rim_first[patch] + (uint32_t)((count + SIL_I_LANES - 1) / SIL_I_LANES * SIL_I_LANES);
+            lines = planes ? (SIL_I_PATCH + p->rim_first[patch + 1] - p->rim_first[patch]) / SIL_I_LANES : 0;
+            p->line[patch + 1] = p->line[patch] + 1 + lines + (edges + 31) / 32 + (edges + 3) / 4;
+            for (i = p->rim_first[patch]; pass && i < p->rim_first[patch + 1]; ++i) {
+                const size_t at = i - p->rim_first[patch];
+                p->rim[i] = rim[at < count ? at : count - 1]; /* the last one again, up to a multiple of 8 */
+            }
+            if (pass)
+                sil_i_fill_block(mesh, p, patch, place, lines);
+        }
+        if (pass)
+            return;
+        p->rim = sil_i_take_words(heap, p->rim_first[p->count]);
+        p->memory =
+            sil_i_take_bytes(heap, SIL_I_LINE * ((size_t)p->line[p->count] + 5)); /* vectors are read past ends */
+        if (heap->failed)
+            return;
+        p->block = p->memory + (SIL_I_LINE - (size_t)(uintptr_t)p->memory % SIL_I_LINE) % SIL_I_LINE;
+    }
+}
+
+static int sil_i_wants_hierarchy(const sil_mesh *mesh, unsigned flags) {
+    return mesh->face_count && !(flags & SIL_MESH_NO_HIERARCHY) &&
+           (flags & SIL_MESH_HIERARCHY || mesh->edge_count >= SIL_I_WORTHWHILE);
+}
+
+/* After everything else of the mesh. Patches' numbers have 24 bits, as meshes have less than 2^28 faces. */
+static void sil_i_build_patches(sil_mesh *mesh, unsigned flags, sil_i_heap *heap, sil_i_heap *scratch) {
+    sil_i_patches *p = mesh->patches = (sil_i_patches *)sil_i_take(heap, 1, sizeof *p);
+    uint32_t *place;
+    size_t e;
+    if (!p)
+        return;
+    memset(p, 0, sizeof *p);
+    for (e = 0; e < mesh->edge_count; ++e)
+        p->special_count += (mesh->edge_kinds[e] & ~SIL_I_FOLDS) != 0;
+    p->count = (mesh->face_count + SIL_I_PATCH - 1) / SIL_I_PATCH;
+    p->edge_first = sil_i_take_words(heap, p->count + 1);
+    p->rim_first = sil_i_take_words(heap, p->count + 1);
+    p->line = sil_i_take_words(heap, p->count + 1);
+    p->special = sil_i_take_words(heap, p->special_count);
+    place = sil_i_take_words(scratch, mesh->face_count);
+    if (!heap->failed && !scratch->failed)
+        sil_i_fill_patches(mesh, p, sil_i_wants_hierarchy(mesh, flags), heap, place);
+    sil_i_give(&scratch->allocator, place);
+}
+
+/* The face at a place in a patch; places that no face has stand for another of its faces. */
+static uint32_t sil_i_face_at(const sil_mesh *mesh, size_t patch, size_t place) {
+    const sil_i_patches *p = mesh->patches;
+    const size_t own = patch * SIL_I_PATCH + place;
+    if (place >= SIL_I_PATCH)
+        return p->rim[p->rim_first[patch] + place - SIL_I_PATCH];
+    return (uint32_t)(own < mesh->face_count ? own : mesh->face_count - 1);
+}
+
+static size_t sil_i_patch_places(const sil_i_patches *p, size_t patch) {
+    return SIL_I_PATCH + p->rim_first[patch + 1] - p->rim_first[patch];
+}
+
+/* Are all faces of a patch and its rim exactly in one plane, on the same side of it? Then it has no silhouette in any
+   view and is never looked at: flat sides of CAD models, which may be exactly edge-on. */
+static int sil_i_patch_is_flat(const sil_mesh *mesh, size_t patch) {
+    const size_t places = sil_i_patch_places(mesh->patches, patch);
+    const uint32_t first = sil_i_sign_face(mesh, sil_i_face_at(mesh, patch, 0));
+    size_t place;
+    if (first == SIL_NONE)
+        return 0;
+    for (place = 1; place < places; ++place)
+        if (!sil_i_same_plane(mesh, first, sil_i_sign_face(mesh, sil_i_face_at(mesh, patch, place))))
+            return 0;
+    return 1;
+}
+
+/* A float plane about an origin: n, d - n . origin. */
+static void sil_i_plane_about(const sil_i_shape *shape, uint32_t face, const double origin[3], double plane[4]) {
     int k;
-    for (i = first * SIL_I_LEAF; i < last; ++i)
-        for (k = 0; k < 3; ++k) {
-            const float *p = mesh->rest.position + 3 * (size_t)mesh->corner[3 * i];
-            const double x = ((double)p[k] - mesh->rest.center[k]) / mesh->rest.scale;
-            low[k] = x < low[k] ? x : low[k];
-            high[k] = x > high[k] ? x : high[k];
+    plane[3] = (double)shape->plane[3][face];
+    for (k = 0; k < 3; ++k) {
+        plane[k] = (double)shape->plane[k][face];
+        plane[3] -= plane[k] * origin[k];
+    }
+}
+
+/* The box of patches first .. end - 1 but for those that are flat (in the bits of `never`). Middles are rounded, and half
+   sizes taken from there and rounded up. Without a plane in it a box is smaller than nothing: surely of one sign. */
+static void sil_i_cone_set(const sil_mesh *mesh, const unsigned char *never, size_t first, size_t end,
+                           sil_i_cones *cones, size_t lane) {
+    double low[4] = {1e9, 1e9, 1e9, 1e9}, high[4] = {-1e9, -1e9, -1e9, -1e9}, origin[3], plane[4];
+    size_t patch, place;
+    int k, any = 0;
+    for (patch = first; patch < end; ++patch)
+        for (place = 0; place < SIL_I_PATCH && !never[patch]; ++place) {
+            const float *p = mesh->rest.position + 3 * (size_t)mesh->corner[3 * sil_i_face_at(mesh, patch, place)];
+            any = 1;
+            for (k = 0; k < 3; ++k) {
+                const double x = ((double)p[k] - mesh->rest.center[k]) / mesh->rest.scale;
+                low[k] = x < low[k] ? x : low[k];
+                high[k] = x > high[k] ? x : high[k];
+            }
         }
     for (k = 0; k < 3; ++k) {
-        cones->origin[k][lane] = (float)(0.5 * (low[k] + high[k]));
+        cones->origin[k][lane] = any ? (float)(0.5 * (low[k] + high[k])) : 0;
         origin[k] = (double)cones->origin[k][lane];
-    }
-    for (k = 0; k < 4; ++k) {
         low[k] = 1e9;
         high[k] = -1e9;
     }
-    sil_i_cone_grow(mesh->rest.plane, first * SIL_I_LEAF, last, origin, low, high);
-    sil_i_cone_grow(h->plane, h->rim_first[first], h->rim_first[end], origin, low, high);
-    for (k = 0; k < 4; ++k) {
-        const float mid = (float)(0.5 * (low[k] + high[k]));
-        const double half = sil_i_larger(high[k] - (double)mid, (double)mid - low[k]);
-        cones->mid[k][lane] = mid;
-        cones->half[k][lane] = (float)(half * 1.000001 + 1e-15);
-    }
-}
-
-static void sil_i_build_cones(const sil_mesh *mesh, sil_i_hierarchy *h) {
-    size_t count = h->leaf_count, leaves = 1, i;
-    h->first[1] = 0;
-    for (;;) { /* `count` boxes of `leaves` leaves each */
-        ++h->levels;
-        for (i = 0; i < count; ++i) {
-            const size_t end = (i + 1) * leaves < h->leaf_count ? (i + 1) * leaves : h->leaf_count;
-            sil_i_cone_set(mesh, h, i * leaves, end, &h->cones[h->first[h->levels] + i / SIL_I_LANES], i % SIL_I_LANES);
-        }
-        count = (count + SIL_I_LANES - 1) / SIL_I_LANES;
-        leaves *= SIL_I_LANES;
-        if (count == 1)
-            return;
-        h->first[h->levels + 1] = h->first[h->levels] + count;
-    }
-}
-
-/* Where the edges of each leaf begin, and which edges are special. Those of many faces may be anywhere. */
-static void sil_i_hierarchy_edges(const sil_mesh *mesh, sil_i_hierarchy *h) {
-    size_t e, leaf = 0, specials = 0;
-    for (e = 0; e < mesh->edge_count; ++e) {
-        if (mesh->edge_kinds[e] & ~SIL_I_FOLDS)
-            h->special[specials++] = (uint32_t)e;
-        if (!(mesh->edge_kinds[e] & SIL_I_MANY))
-            while (leaf <= mesh->edge_face[0][e] / SIL_I_LEAF)
-                h->edge_first[leaf++] = (uint32_t)e;
-    }
-    while (leaf <= h->leaf_count)
-        h->edge_first[leaf++] = (uint32_t)mesh->edge_count;
-}
-
-static void sil_i_fill_hierarchy(sil_mesh *mesh, sil_i_hierarchy *h, sil_i_heap *heap, uint32_t *place) {
-    const size_t cones = h->leaf_count / 7 + SIL_I_LEVELS;
-    uint32_t rim[3 * SIL_I_LEAF], leaf;
-    size_t i, count;
-    int k, pass;
-    sil_i_hierarchy_edges(mesh, h);
-    h->rim_first[0] = 0;
-    for (pass = 0; pass < 2; ++pass) { /* count, then fill */
-        memset(place, 0xff, mesh->face_count * sizeof(uint32_t));
-        for (leaf = 0; leaf < h->leaf_count; ++leaf) {
-            count = sil_i_leaf_rim(mesh, h, leaf, place, rim);
-            h->rim_first[leaf + 1] =
-                h->rim_first[leaf] + (uint32_t)((count + SIL_I_LANES - 1) / SIL_I_LANES * SIL_I_LANES);
-            for (i = h->rim_first[leaf]; pass && i < h->rim_first[leaf + 1]; ++i) {
-                const size_t at = i - h->rim_first[leaf];
-                h->face[i] = rim[at < count ? at : count - 1]; /* the last one again, up to a multiple of 8 */
-                for (k = 0; k < 4; ++k)
-                    h->plane[k][i] = mesh->rest.plane[k][h->face[i]];
+    for (patch = first; patch < end; ++patch) {
+        const size_t places = never[patch] ? 0 : sil_i_patch_places(mesh->patches, patch);
+        for (place = 0; place < places; ++place) {
+            sil_i_plane_about(&mesh->rest, sil_i_face_at(mesh, patch, place), origin, plane);
+            for (k = 0; k < 4; ++k) {
+                low[k] = plane[k] < low[k] ? plane[k] : low[k];
+                high[k] = plane[k] > high[k] ? plane[k] : high[k];
             }
         }
-        if (pass)
-            break;
-        for (k = 0; k < 4; ++k)
-            h->plane[k] = (float *)sil_i_take(heap, h->rim_first[h->leaf_count], sizeof(float));
-        h->face = sil_i_take_words(heap, h->rim_first[h->leaf_count]);
-        h->cones = (sil_i_cones *)sil_i_take(heap, cones, sizeof(sil_i_cones));
-        if (heap->failed)
-            return;
-        memset(h->cones, 0, cones * sizeof(sil_i_cones)); /* lanes without a child are computed too */
     }
-    sil_i_build_cones(mesh, h);
+    for (k = 0; k < 4; ++k) {
+        const float mid = any ? (float)(0.5 * (low[k] + high[k])) : 0;
+        const double half = sil_i_larger(high[k] - (double)mid, (double)mid - low[k]);
+        cones->mid[k][lane] = mid;
+        cones->half[k][lane] = any ? (float)(half * 1.000001 + 1e-15) : -1e30f;
+    }
 }
 
-/* After everything else of the mesh. Leaves' numbers have 24 bits, as meshes have less than 2^28 faces. */
+#define SIL_I_FINE 32767.0 /* steps from the middle of a box to its side */
+
+/* A patch's planes as 16-bit steps from the middle of its box; eight faces' nx, ny in turn, then their nz, d. */
+static void sil_i_quantise(const sil_mesh *mesh, const sil_i_hierarchy *h, size_t patch) {
+    sil_i_head *head = (sil_i_head *)(void *)(mesh->patches->block + SIL_I_LINE * (size_t)mesh->patches->line[patch]);
+    const sil_i_cones *c = &h->cones[h->first[1] + patch / SIL_I_LANES];
+    const size_t lane = patch % SIL_I_LANES;
+    size_t place;
+    int k;
+    for (place = 0; place < head->places; ++place) {
+        const uint32_t face = sil_i_face_at(mesh, patch, place);
+        int16_t *out = (int16_t *)(void *)((unsigned char *)head + SIL_I_LINE) + 32 * (place / 8) + 2 * (place % 8);
+        double origin[3], plane[4];
+        for (k = 0; k < 3; ++k)
+            origin[k] = (double)c->origin[k][lane];
+        sil_i_plane_about(&mesh->rest, face, origin, plane);
+        for (k = 0; k < 4; ++k) {
+            const double steps = (plane[k] - (double)c->mid[k][lane]) / (double)c->half[k][lane] * SIL_I_FINE;
+            out[k / 2 * 16 + k % 2] = (int16_t)floor(steps + 0.5);
+        }
+        head->loose |= !(
+            fabsf(mesh->rest.plane[0][face]) + fabsf(mesh->rest.plane[1][face]) + fabsf(mesh->rest.plane[2][face]) > 0);
+    }
+}
+
+static void sil_i_fill_hierarchy(const sil_mesh *mesh, sil_i_hierarchy *h, unsigned char *never) {
+    const size_t patches = mesh->patches->count;
+    size_t count = patches, spans = 1, i;
+    for (i = 0; i < patches; ++i)
+        never[i] = (unsigned char)sil_i_patch_is_flat(mesh, i);
+    h->first[1] = 0;
+    for (;;) { /* `count` boxes of `spans` patches each, and boxes of nothing up to a multiple of eight */
+        ++h->levels;
+        for (i = 0; i < (count + SIL_I_LANES - 1) / SIL_I_LANES * SIL_I_LANES; ++i) {
+            const size_t first = i * spans < patches ? i * spans : patches;
+            const size_t end = patches - first < spans ? patches : first + spans;
+            sil_i_cone_set(mesh, never, first, end, &h->cones[h->first[h->levels] + i / SIL_I_LANES], i % SIL_I_LANES);
+        }
+        count = (count + SIL_I_LANES - 1) / SIL_I_LANES;
+        spans *= SIL_I_LANES;
+        if (count == 1)
+            break;
+        h->first[h->levels + 1] = h->first[h->levels] + count;
+    }
+    for (i = 0; i < patches; ++i)
+        if (!never[i])
+            sil_i_quantise(mesh, h, i);
+}
+
 static void sil_i_build_hierarchy(sil_mesh *mesh, unsigned flags, sil_i_heap *heap, sil_i_heap *scratch) {
     const size_t before = heap->bytes;
-    uint32_t *place;
+    unsigned char *never;
     sil_i_hierarchy *h;
-    size_t e;
-    if (!mesh->face_count || flags & SIL_MESH_NO_HIERARCHY ||
-        (!(flags & SIL_MESH_HIERARCHY) && mesh->edge_count < SIL_I_WORTHWHILE))
+    size_t i, planes = 0;
+    if (!sil_i_wants_hierarchy(mesh, flags))
         return;
     mesh->hierarchy = h = (sil_i_hierarchy *)sil_i_take(heap, 1, sizeof *h);
     if (!h)
         return;
     memset(h, 0, sizeof *h);
-    for (e = 0; e < mesh->edge_count; ++e)
-        h->special_count += (mesh->edge_kinds[e] & ~SIL_I_FOLDS) != 0;
-    h->leaf_count = (mesh->face_count + SIL_I_LEAF - 1) / SIL_I_LEAF;
-    h->edge_first = sil_i_take_words(heap, h->leaf_count + 1);
-    h->rim_first = sil_i_take_words(heap, h->leaf_count + 1);
-    h->side = sil_i_take_bytes(heap, 2 * mesh->edge_count);
-    h->special = sil_i_take_words(heap, h->special_count);
-    place = sil_i_take_words(scratch, mesh->face_count);
+    h->cones = (sil_i_cones *)sil_i_take(heap, mesh->patches->count / 7 + SIL_I_LEVELS, sizeof(sil_i_cones));
+    never = sil_i_take_bytes(scratch, mesh->patches->count);
     if (!heap->failed && !scratch->failed)
-        sil_i_fill_hierarchy(mesh, h, heap, place);
-    mesh->info.hierarchy_bytes = heap->bytes - before;
-    sil_i_give(&scratch->allocator, place);
+        sil_i_fill_hierarchy(mesh, h, never);
+    for (i = 0; i < mesh->patches->count; ++i)
+        planes += sil_i_patch_head(mesh->patches, i)->planes;
+    mesh->info.hierarchy_bytes = heap->bytes - before + SIL_I_LINE * planes;
+    sil_i_give(&scratch->allocator, never);
 }
 
 static void sil_i_build(sil_mesh *mesh, const sil_mesh_desc *desc, size_t triangles, sil_i_heap *heap) {
@@ -2898,7 +3092,9 @@ static void sil_i_build(sil_mesh *mesh, const sil_mesh_desc *desc, size_t triang
                 (unsigned char)(sil_i_fixed_kinds(mesh, (uint32_t)e, crease) | sil_i_fold(mesh, (uint32_t)e) |
                                 sil_i_part_border(mesh, (uint32_t)e, desc->face_parts));
         sil_i_build_components(mesh, &scratch);
-        sil_i_build_hierarchy(mesh, desc->flags, heap, &scratch);
+        sil_i_build_patches(mesh, desc->flags, heap, &scratch);
+        if (!heap->failed && !scratch.failed)
+            sil_i_build_hierarchy(mesh, desc->flags, heap, &scratch);
     }
     heap->failed |= scratch.failed;
 }
@@ -2950,6 +3146,7 @@ SIL_DEF sil_mesh *sil_mesh_create(const sil_mesh_desc *desc, sil_result *result)
             memset(mesh, 0, sizeof *mesh);
             mesh->allocator = heap.allocator;
             mesh->vertex_count = desc->vertex_count;
+            mesh->wide = sil_i_has_wide();
             sil_i_build(mesh, desc, triangles, &heap);
             sil_i_finish_info(mesh, &heap);
         }
@@ -2992,6 +3189,9 @@ SIL_DEF void sil_mesh_destroy(sil_mesh *mesh) {
     sil_i_give(&allocator, mesh->many_first);
     sil_i_give(&allocator, mesh->many_face);
     sil_i_shape_give(&allocator, &mesh->rest);
+    if (mesh->patches)
+        sil_i_patches_give(&allocator, mesh->patches);
+    sil_i_give(&allocator, mesh->patches);
     if (mesh->hierarchy)
         sil_i_hierarchy_give(&allocator, mesh->hierarchy);
     sil_i_give(&allocator, mesh->hierarchy);
@@ -3018,8 +3218,6 @@ SIL_DEF sil_pose *sil_pose_create(const sil_mesh *mesh, sil_result *result) {
             memset(pose, 0, sizeof *pose);
             pose->mesh = mesh;
             pose->front = sil_i_take_bytes(&heap, sil_i_padded(mesh->face_count));
-            pose->found_capacity = mesh->hierarchy ? mesh->edge_count / SIL_I_MOST_FOUND + 3 * SIL_I_LEAF : 0;
-            pose->found = sil_i_take_words(&heap, pose->found_capacity);
         }
         if (heap.failed) {
             if (pose)
@@ -3041,7 +3239,6 @@ SIL_DEF void sil_pose_destroy(sil_pose *pose) {
     allocator = pose->mesh->allocator;
     sil_i_shape_give(&allocator, &pose->shape);
     sil_i_give(&allocator, pose->front);
-    sil_i_give(&allocator, pose->found);
     sil_i_give(&allocator, pose->scratch);
     sil_i_give(&allocator, pose->zone_last);
     sil_i_give(&allocator, pose);
@@ -3695,44 +3892,172 @@ static void sil_i_write_edge(const sil_i_signs *signs, uint32_t edge, unsigned k
     out->kinds = kinds;
 }
 
-/* Which of a block of edges may be asked for: a byte each. */
-static void sil_i_candidates(const sil_i_signs *signs, size_t first, unsigned kinds,
-                             unsigned char candidate[SIL_I_BLOCK]) {
-    const sil_mesh *mesh = signs->mesh;
-    const uint32_t *f0 = mesh->edge_face[0] + first, *f1 = mesh->edge_face[1] + first;
-    const unsigned char *fixed = mesh->edge_kinds + first;
-    const unsigned silhouettes = kinds & SIL_SILHOUETTE && signs->in_view;
-    const unsigned char wanted = (unsigned char)((kinds & SIL_I_LINES) | (silhouettes ? SIL_I_MANY : 0));
-    size_t i;
-    for (i = 0; i < SIL_I_BLOCK; ++i)
-        candidate[i] = (unsigned char)(fixed[i] & wanted);
-    if (!silhouettes)
-        return;
-    if (signs->front)
-        for (i = 0; i < SIL_I_BLOCK; ++i)
-            candidate[i] = (unsigned char)(candidate[i] | (signs->front[f0[i]] ^ signs->front[f1[i]]));
-    else
-        for (i = 0; i < SIL_I_BLOCK && first + i < mesh->edge_count; ++i)
-            if (!candidate[i] && f0[i] != f1[i])
-                candidate[i] = (unsigned char)(sil_i_is_front(signs, f0[i]) ^ sil_i_is_front(signs, f1[i]));
+/* What a call of sil_extract writes. Edges that are candidates whatever the signs of two faces are (of many faces, and of
+   other kinds asked for) are put between the silhouettes found, by rising number. */
+typedef struct sil_i_edges_out {
+    sil_edge *edges;
+    size_t capacity, count;
+    unsigned kinds;
+    const uint32_t *other, *other_end;
+} sil_i_edges_out;
+
+static void sil_i_edges_begin(const sil_mesh *mesh, unsigned kinds, sil_edge *edges, size_t capacity,
+                              sil_i_edges_out *out) {
+    const int special = (kinds & (SIL_I_LINES & ~(unsigned)SIL_SILHOUETTE)) != 0;
+    out->edges = edges;
+    out->capacity = capacity;
+    out->count = 0;
+    out->kinds = kinds & SIL_I_LINES;
+    out->other = special ? mesh->patches->special : mesh->many_edge;
+    out->other_end = out->other + (special ? mesh->patches->special_count : mesh->many_count);
 }
 
-/* A search of the hierarchy. */
-typedef struct sil_i_hunt {
-    const sil_mesh *mesh;
-    const sil_i_hierarchy *h;
-    const sil_i_eye *eye;
-    uint32_t *found;
-    unsigned char *front; /* the pose's: set for the faces of what is found */
-    size_t count, capacity, visited;
-} sil_i_hunt;
+static void sil_i_extract_one(const sil_i_signs *signs, uint32_t edge, sil_i_edges_out *out) {
+    uint32_t face[2];
+    unsigned found;
+    if (sil_i_edge_is_bad(signs, edge))
+        return;
+    found = sil_i_classify(signs, edge, face);
+    if (!(found & out->kinds))
+        return;
+    if (out->edges && out->count < out->capacity)
+        sil_i_write_edge(signs, edge, found, face, &out->edges[out->count]);
+    ++out->count;
+}
+
+/* The other candidates up to an edge, without it. */
+static void sil_i_extract_others(const sil_i_signs *signs, uint32_t end, sil_i_edges_out *out) {
+    for (; out->other < out->other_end && *out->other < end; ++out->other)
+        sil_i_extract_one(signs, *out->other, out);
+    out->other += out->other < out->other_end && *out->other == end;
+}
+
+/* A silhouette of two faces from its record; `second`: the second one is in front. Without a branch. */
+SIL_I_INLINE void sil_i_write_silhouette(const uint32_t *record, uint32_t edge, uint32_t second, sil_edge *out) {
+    const uint32_t turned = second & ~(record[3] >> 28), number = 0x0fffffffu;
+    out->a = record[turned];
+    out->b = record[1 - turned];
+    out->face[0] = record[2 + second] & number;
+    out->face[1] = record[3 - second] & number;
+    out->edge = edge;
+    out->kinds = SIL_SILHOUETTE | record[2] >> 28 << 4;
+}
+
+/* The place of the lowest bit that is set; there is one. */
+SIL_I_INLINE unsigned sil_i_lowest_bit(uint64_t word) {
+#if defined(__GNUC__) && !defined(__TINYC__)
+    return (unsigned)__builtin_ctzll(word);
+#else
+    unsigned bit = 0;
+    while (!(word >> bit & 255))
+        bit += 8;
+    while (!(word >> bit & 1))
+        ++bit;
+    return bit;
+#endif
+}
+
+#ifdef SIL_I_WIDE
+/* The same by one shuffle: as it stands, a with b and the faces exchanged, or the faces only. */
+SIL_I_WIDE static inline void sil_i_write_silhouette_wide(const uint32_t *record, uint32_t edge, uint32_t second,
+                                                          sil_edge *out) {
+    static const int32_t orders[3][4] = {{0, 1, 2, 3}, {1, 0, 3, 2}, {0, 1, 3, 2}};
+    const uint64_t kinds = SIL_SILHOUETTE | record[2] >> 28 << 4;
+    const int32_t *order = orders[second + (second & record[3] >> 28)];
+    const __m128 words = _mm_loadu_ps((const float *)(const void *)record);
+    const __m128i edge_of =
+        _mm_castps_si128(_mm_permutevar_ps(words, _mm_loadu_si128((const __m128i *)(const void *)order)));
+    const uint64_t rest = edge | kinds << 32;
+    _mm_storeu_si128((__m128i *)(void *)out, _mm_and_si128(edge_of, _mm_setr_epi32(-1, -1, 0x0fffffff, 0x0fffffff)));
+    memcpy((unsigned char *)out + 16, &rest, sizeof rest);
+}
+#endif
+
+/* Silhouettes of two faces among 64 edges from `start` on: bits in `differ`, and in `second` where the second face is in
+   front. */
+SIL_I_INLINE void sil_i_write_silhouettes(const sil_i_signs *signs, const uint32_t *record, uint32_t start,
+                                          uint64_t differ, uint64_t second, sil_i_edges_out *out, int wide) {
+    const int plain = !signs->shape->bad_count && (out->other == out->other_end || *out->other > start + 63);
+    if (plain && out->edges && out->count <= out->capacity && out->capacity - out->count >= 64) {
+        sil_edge *at = out->edges + out->count;
+        for (; differ; differ &= differ - 1, ++at) {
+            const unsigned bit = sil_i_lowest_bit(differ);
+#ifdef SIL_I_WIDE
+            if (wide)
+                sil_i_write_silhouette_wide(record + 4 * bit, start + bit, (uint32_t)(second >> bit & 1), at);
+            else
+#endif
+                sil_i_write_silhouette(record + 4 * bit, start + bit, (uint32_t)(second >> bit & 1), at);
+        }
+        (void)wide;
+        out->count = (size_t)(at - out->edges);
+        return;
+    }
+    for (; differ; differ &= differ - 1) {
+        const unsigned bit = sil_i_lowest_bit(differ);
+        sil_i_extract_others(signs, start + bit, out);
+        if (sil_i_edge_is_bad(signs, start + bit))
+            continue;
+        if (out->edges && out->count < out->capacity)
+            sil_i_write_silhouette(record + 4 * bit, start + bit, (uint32_t)(second >> bit & 1),
+                                   &out->edges[out->count]);
+        ++out->count;
+    }
+}
+
+/* ---- the signs of a patch ---- */
+
+/* 1 for each place in a patch whose face is in front: 64 places a word. */
+typedef uint64_t sil_i_mask[SIL_I_PLACES / 64];
+
+/* An eye for the planes of eight patches in whole numbers. A plane of a patch is n = mid + half * q / 32767, and its t =
+   mid . x + sum of half * x * q / 32767, x the eye about the patch's origin. With G the largest |half * x| and W = half *
+   x * 16383 / G rounded, t is near mid . x + G / (32767 * 16383) * sum of W * q. That sum is a whole number below 2^31
+   that no compiler flag changes. It is off by at most 4 * 32767 * 0.51 for the rounding of W and 4 * 16384 * 0.51 for
+   that of q, 1e5 in all; 2^17 are allowed, and the same four limits as in sil_i_undecided for floats. */
+typedef struct sil_i_patch_eyes {
+    int32_t weight[2][SIL_I_LANES];                 /* of nx, ny and of nz, d: 16 bits each */
+    int32_t above[SIL_I_LANES], below[SIL_I_LANES]; /* sums above are in front, sums below are not */
+} sil_i_patch_eyes;
+
+#define SIL_I_WEIGHT 16383.0f
+#define SIL_I_UNIT 536821761.0f /* 16383 * 32767 */
+#define SIL_I_SLACK 131072.0f
+#define SIL_I_MOST 2147483520.0f /* the largest float below 2^31, above every sum */
+
+static uint32_t sil_i_weight(float x) {
+    return (uint32_t)(int32_t)(x + (x < 0 ? -0.5f : 0.5f)) & 0xffffu;
+}
+
+static void sil_i_patch_eye_plain(const sil_i_cones *c, size_t i, const sil_i_eye *eye, sil_i_patch_eyes *out) {
+    const float ew = eye->plane[3];
+    float g[4], t = -c->mid[3][i] * ew, largest = 1e-20f, unit, above, below;
+    int k;
+    g[3] = -c->half[3][i] * ew;
+    for (k = 0; k < 3; ++k) {
+        const float x = eye->plane[k] - ew * c->origin[k][i];
+        g[k] = c->half[k][i] * x;
+        t += c->mid[k][i] * x;
+    }
+    for (k = 0; k < 4; ++k)
+        largest = fabsf(g[k]) > largest ? fabsf(g[k]) : largest;
+    for (k = 0; k < 4; ++k)
+        g[k] *= SIL_I_WEIGHT / largest;
+    unit = SIL_I_UNIT / largest;
+    above = (4 * eye->limit - t) * unit + SIL_I_SLACK;
+    below = (-4 * eye->limit - t) * unit - SIL_I_SLACK;
+    out->weight[0][i] = (int32_t)(sil_i_weight(g[0]) | sil_i_weight(g[1]) << 16);
+    out->weight[1][i] = (int32_t)(sil_i_weight(g[2]) | sil_i_weight(g[3]) << 16);
+    out->above[i] = (int32_t)(above > SIL_I_MOST ? SIL_I_MOST : above < -SIL_I_MOST ? -SIL_I_MOST : above);
+    out->below[i] = (int32_t)(below > SIL_I_MOST ? SIL_I_MOST : below < -SIL_I_MOST ? -SIL_I_MOST : below);
+}
 
 /* Which of eight boxes may hold planes of either sign, or some that are not sure: bits. A plane is sure where |t| is more
    than eye->limit. With v = 2^-24 and S = |ex| + |ey| + |ez| + 3 |ew|, of which the limit is more than 16v: origins are
    at most 1 on each axis, offsets about them at most 3.5, so that the terms of t and of r are each at most
    S + 3.5 |ew| < 2.2 S, and with 7 roundings for each of the two sums the error of t and r together is below
    2 * 7v * 2.2 S < 2 * limit. One limit for the planes, two for this, and one to spare. */
-static unsigned sil_i_undecided(const sil_i_cones *c, const sil_i_eye *eye) {
+static unsigned sil_i_undecided_plain(const sil_i_cones *c, const sil_i_eye *eye) {
     const float ex = eye->plane[0], ey = eye->plane[1], ez = eye->plane[2], ew = eye->plane[3];
     const float pad = 4 * eye->limit, aw = fabsf(ew);
     float gap[SIL_I_LANES];
@@ -3749,176 +4074,395 @@ static unsigned sil_i_undecided(const sil_i_cones *c, const sil_i_eye *eye) {
     return bits;
 }
 
-/* Eight faces from `first` on, of which `count` are there. */
-static void sil_i_hunt_eight(const sil_i_hunt *hunt, float *const plane[4], const uint32_t *face, size_t first,
-                             size_t count, unsigned char *front) {
-    const float ex = hunt->eye->plane[0], ey = hunt->eye->plane[1], ez = hunt->eye->plane[2];
-    const float ew = hunt->eye->plane[3], limit = hunt->eye->limit;
-    const float *nx = plane[0] + first, *ny = plane[1] + first, *nz = plane[2] + first, *d = plane[3] + first;
-    float t[SIL_I_LANES];
-    int unsure = 0;
-    size_t k;
-    for (k = 0; k < SIL_I_LANES; ++k)
-        t[k] = nx[k] * ex + ny[k] * ey + nz[k] * ez - d[k] * ew;
-    for (k = 0; k < SIL_I_LANES; ++k)
-        unsure |= (t[k] <= limit) & (t[k] >= -limit);
-    for (k = 0; k < SIL_I_LANES; ++k)
-        front[k] = (unsigned char)(t[k] > limit);
-    for (k = 0; k < count && unsure; ++k)
-        if (t[k] <= limit && t[k] >= -limit)
-            front[k] = (unsigned char)sil_i_front_unsure(hunt->mesh, &hunt->mesh->rest, hunt->eye,
-                                                         face ? face[first + k] : (uint32_t)(first + k));
+/* The places of a patch by their sums. Returns whether there are places in doubt, bits in `unsure`. */
+static int sil_i_patch_signs_plain(const int16_t *plane, size_t places, const int32_t eye[4], sil_i_mask front,
+                                   sil_i_mask unsure) {
+    int32_t w[4];
+    size_t place;
+    int k;
+    for (k = 0; k < 4; ++k)
+        w[k] = (int16_t)((uint32_t)eye[k / 2] >> k % 2 * 16 & 0xffffu);
+    front[0] = front[1] = unsure[0] = unsure[1] = 0;
+    for (place = 0; place < places; ++place) {
+        const int16_t *q = plane + place / 8 * 32 + 2 * (place % 8);
+        const int32_t sum = w[0] * q[0] + w[1] * q[1] + w[2] * q[16] + w[3] * q[17];
+        front[place / 64] |= (uint64_t)(sum > eye[2]) << place % 64;
+        unsure[place / 64] |= (uint64_t)((sum <= eye[2]) & (sum >= eye[3])) << place % 64;
+    }
+    return (unsure[0] | unsure[1]) != 0;
 }
 
-/* The silhouettes of a leaf. 0 where there is no more room. */
-static int sil_i_hunt_leaf(sil_i_hunt *hunt, size_t leaf) {
-    const sil_i_hierarchy *h = hunt->h;
-    const size_t rim = h->rim_first[leaf], rim_count = h->rim_first[leaf + 1] - rim;
-    const size_t own = leaf * SIL_I_LEAF, left = hunt->mesh->face_count - own;
-    const size_t own_count = left < SIL_I_LEAF ? left : SIL_I_LEAF;
-    const unsigned char *side = h->side;
-    const size_t end = h->edge_first[leaf + 1];
-    unsigned char front[4 * SIL_I_LEAF];
-    size_t i, count = hunt->count;
-    for (i = 0; i < own_count; i += SIL_I_LANES) /* planes are padded with zeros */
-        sil_i_hunt_eight(hunt, hunt->mesh->rest.plane, NULL, own + i,
-                         own_count - i < SIL_I_LANES ? own_count - i : SIL_I_LANES, front + i);
-    for (i = 0; i < rim_count; i += SIL_I_LANES)
-        sil_i_hunt_eight(hunt, h->plane, h->face, rim + i, SIL_I_LANES, front + SIL_I_LEAF + i);
-    if (hunt->capacity - count < end - h->edge_first[leaf])
-        return 0;
-    for (i = h->edge_first[leaf]; i < end; ++i) { /* without a branch: written over where it is none */
-        hunt->found[count] = (uint32_t)i;
-        count += (size_t)(front[side[2 * i]] ^ front[side[2 * i + 1]]);
+/* Of up to 64 edges by their sides, which have their faces' signs differ, and of which the second face is in front. */
+static uint64_t sil_i_patch_edges_plain(const unsigned char *side, size_t count, const sil_i_mask front,
+                                        uint64_t *second) {
+    uint64_t fronts[2] = {0, 0};
+    size_t i;
+    for (i = 0; i < count; ++i) {
+        const unsigned s0 = side[i / 32 * 64 + i % 32], s1 = side[i / 32 * 64 + i % 32 + 32];
+        fronts[0] |= (front[s0 / 64] >> s0 % 64 & 1) << i;
+        fronts[1] |= (front[s1 / 64] >> s1 % 64 & 1) << i;
     }
-    for (i = hunt->count; i < count; ++i) {
-        const size_t edge = hunt->found[i];
-        hunt->front[hunt->mesh->edge_face[0][edge]] = front[side[2 * edge]];
-        hunt->front[hunt->mesh->edge_face[1][edge]] = front[side[2 * edge + 1]];
-    }
-    hunt->count = count;
-    return 1;
+    *second = fronts[1];
+    return fronts[0] ^ fronts[1];
 }
 
-/* Looks at all leaves that may have silhouettes, in rising order. 0: gave way. */
-static int sil_i_hunt_run(sil_i_hunt *hunt) {
-    const sil_i_hierarchy *h = hunt->h;
+#ifdef SIL_I_WIDE
+
+/* Written without loops, which gcc leaves as loops at -O2. */
+
+SIL_I_WIDE static __m256 sil_i_load_wide(const float *from) {
+    return _mm256_loadu_ps(from);
+}
+
+/* The eye about eight origins, on one axis. */
+SIL_I_WIDE static __m256 sil_i_about_wide(const sil_i_cones *c, const sil_i_eye *eye, int axis) {
+    return _mm256_sub_ps(_mm256_set1_ps(eye->plane[axis]),
+                         _mm256_mul_ps(_mm256_set1_ps(eye->plane[3]), sil_i_load_wide(c->origin[axis])));
+}
+
+/* Two rows of 16-bit weights as one of pairs. */
+SIL_I_WIDE static void sil_i_pairs_wide(__m256 low, __m256 high, int32_t *out) {
+    const __m256i pairs =
+        _mm256_blend_epi16(_mm256_cvtps_epi32(low), _mm256_slli_epi32(_mm256_cvtps_epi32(high), 16), 0xaa);
+    _mm256_storeu_si256((__m256i *)(void *)out, pairs);
+}
+
+SIL_I_WIDE static void sil_i_clamp_wide(__m256 x, int32_t *out) {
+    x = _mm256_max_ps(_mm256_set1_ps(-SIL_I_MOST), _mm256_min_ps(_mm256_set1_ps(SIL_I_MOST), x));
+    _mm256_storeu_si256((__m256i *)(void *)out, _mm256_cvtps_epi32(x));
+}
+
+/* sil_i_undecided_plain, and sil_i_patch_eye_plain of all eight where any is undecided. */
+SIL_I_WIDE static unsigned sil_i_undecided_wide(const sil_i_cones *c, const sil_i_eye *eye, sil_i_patch_eyes *out) {
+    const __m256 sign = _mm256_set1_ps(-0.0f), pad = _mm256_set1_ps(4 * eye->limit);
+    const __m256 x = sil_i_about_wide(c, eye, 0), y = sil_i_about_wide(c, eye, 1), z = sil_i_about_wide(c, eye, 2);
+    const __m256 w = _mm256_set1_ps(-eye->plane[3]);
+    const __m256 hx = sil_i_load_wide(c->half[0]), hy = sil_i_load_wide(c->half[1]);
+    const __m256 hz = sil_i_load_wide(c->half[2]), hd = sil_i_load_wide(c->half[3]);
+    const __m256 gx = _mm256_mul_ps(hx, _mm256_andnot_ps(sign, x)), gy = _mm256_mul_ps(hy, _mm256_andnot_ps(sign, y));
+    const __m256 gz = _mm256_mul_ps(hz, _mm256_andnot_ps(sign, z)), gd = _mm256_mul_ps(hd, _mm256_andnot_ps(sign, w));
+    const __m256 t = _mm256_add_ps(
+        _mm256_add_ps(_mm256_mul_ps(sil_i_load_wide(c->mid[0]), x), _mm256_mul_ps(sil_i_load_wide(c->mid[1]), y)),
+        _mm256_add_ps(_mm256_mul_ps(sil_i_load_wide(c->mid[2]), z), _mm256_mul_ps(sil_i_load_wide(c->mid[3]), w)));
+    const __m256 r = _mm256_add_ps(_mm256_add_ps(gx, gy), _mm256_add_ps(_mm256_add_ps(gz, gd), pad));
+    const unsigned bits = 255u ^ (unsigned)_mm256_movemask_ps(_mm256_cmp_ps(_mm256_andnot_ps(sign, t), r, _CMP_GT_OQ));
+    if (bits && out) {
+        const __m256 largest =
+            _mm256_max_ps(_mm256_max_ps(_mm256_max_ps(gx, gy), _mm256_max_ps(gz, gd)), _mm256_set1_ps(1e-20f));
+        const __m256 one = _mm256_div_ps(_mm256_set1_ps(SIL_I_WEIGHT), largest);
+        const __m256 unit = _mm256_mul_ps(one, _mm256_set1_ps(32767.0f)), slack = _mm256_set1_ps(SIL_I_SLACK);
+        sil_i_pairs_wide(_mm256_mul_ps(_mm256_mul_ps(hx, x), one), _mm256_mul_ps(_mm256_mul_ps(hy, y), one),
+                         out->weight[0]);
+        sil_i_pairs_wide(_mm256_mul_ps(_mm256_mul_ps(hz, z), one), _mm256_mul_ps(_mm256_mul_ps(hd, w), one),
+                         out->weight[1]);
+        sil_i_clamp_wide(_mm256_add_ps(_mm256_mul_ps(_mm256_sub_ps(pad, t), unit), slack), out->above);
+        sil_i_clamp_wide(_mm256_sub_ps(_mm256_mul_ps(_mm256_add_ps(pad, t), _mm256_xor_ps(sign, unit)), slack),
+                         out->below);
+    }
+    return bits;
+}
+
+/* The sums of eight places. */
+SIL_I_WIDE static __m256i sil_i_sums_wide(const int16_t *plane, __m256i w0, __m256i w1) {
+    const __m256i *q = (const __m256i *)(const void *)plane;
+    return _mm256_add_epi32(_mm256_madd_epi16(_mm256_loadu_si256(q), w0),
+                            _mm256_madd_epi16(_mm256_loadu_si256(q + 1), w1));
+}
+
+/* What comparisons of 32 numbers left, a bit each. */
+SIL_I_WIDE static uint32_t sil_i_pack_wide(__m256i a, __m256i b, __m256i c, __m256i d) {
+    const __m256i order = _mm256_setr_epi32(0, 4, 1, 5, 2, 6, 3, 7); /* packing is within halves */
+    const __m256i bytes = _mm256_packs_epi16(_mm256_packs_epi32(a, b), _mm256_packs_epi32(c, d));
+    return (uint32_t)_mm256_movemask_epi8(_mm256_permutevar8x32_epi32(bytes, order));
+}
+
+/* 32 places at a time; what lies behind the last is cut off. */
+SIL_I_WIDE static int sil_i_patch_signs_wide(const int16_t *plane, size_t places, const int32_t eye[4],
+                                             sil_i_mask front, sil_i_mask unsure) {
+    const __m256i w0 = _mm256_set1_epi32(eye[0]), w1 = _mm256_set1_epi32(eye[1]);
+    const __m256i above = _mm256_set1_epi32(eye[2]), below = _mm256_set1_epi32(eye[3]);
+    size_t place;
+    front[0] = front[1] = unsure[0] = unsure[1] = 0;
+    for (place = 0; place < places; place += 32, plane += 128) {
+        const __m256i a = sil_i_sums_wide(plane, w0, w1), b = sil_i_sums_wide(plane + 32, w0, w1);
+        const __m256i c = sil_i_sums_wide(plane + 64, w0, w1), d = sil_i_sums_wide(plane + 96, w0, w1);
+        const uint32_t fronts = sil_i_pack_wide(_mm256_cmpgt_epi32(a, above), _mm256_cmpgt_epi32(b, above),
+                                                _mm256_cmpgt_epi32(c, above), _mm256_cmpgt_epi32(d, above));
+        const uint32_t backs = sil_i_pack_wide(_mm256_cmpgt_epi32(below, a), _mm256_cmpgt_epi32(below, b),
+                                               _mm256_cmpgt_epi32(below, c), _mm256_cmpgt_epi32(below, d));
+        const uint32_t here = places - place < 32 ? ((uint32_t)1 << (places - place)) - 1 : 0xffffffffu;
+        front[place / 64] |= (uint64_t)(fronts & here) << place % 64;
+        unsure[place / 64] |= (uint64_t)(~(fronts | backs) & here) << place % 64;
+    }
+    return (unsure[0] | unsure[1]) != 0;
+}
+
+/* 32 sides at a time: a byte of the mask and a bit of that are looked up for each by one instruction. */
+SIL_I_WIDE static uint32_t sil_i_look_up_wide(const unsigned char *side, __m256i bytes) {
+    const __m256i bits = _mm256_set1_epi64x((long long)0x8040201008040201u);
+    const __m256i s = _mm256_loadu_si256((const __m256i *)(const void *)side);
+    const __m256i at = _mm256_and_si256(_mm256_srli_epi16(s, 3), _mm256_set1_epi8(15));
+    const __m256i bit = _mm256_shuffle_epi8(bits, _mm256_and_si256(s, _mm256_set1_epi8(7)));
+    const __m256i byte = _mm256_shuffle_epi8(bytes, at);
+    return (uint32_t)_mm256_movemask_epi8(_mm256_cmpeq_epi8(_mm256_and_si256(byte, bit), bit));
+}
+
+SIL_I_WIDE static uint64_t sil_i_patch_edges_wide(const unsigned char *side, size_t count, const sil_i_mask front,
+                                                  uint64_t *second) {
+    const __m256i bytes = _mm256_broadcastsi128_si256(_mm_set_epi64x((long long)front[1], (long long)front[0]));
+    const uint64_t all = count < 64 ? ((uint64_t)1 << count) - 1 : ~(uint64_t)0;
+    uint64_t f0 = sil_i_look_up_wide(side, bytes), f1 = sil_i_look_up_wide(side + 32, bytes);
+    f0 |= (uint64_t)sil_i_look_up_wide(side + 64, bytes) << 32;
+    f1 |= (uint64_t)sil_i_look_up_wide(side + 96, bytes) << 32;
+    *second = f1;
+    return (f0 ^ f1) & all;
+}
+
+#endif
+
+/* The three steps by vectors or one by one: `wide` is a constant wherever these end up. */
+
+SIL_I_INLINE unsigned sil_i_undecided(const sil_i_cones *c, const sil_i_eye *eye, sil_i_patch_eyes *out, int wide) {
+    unsigned bits, i;
+#ifdef SIL_I_WIDE
+    if (wide)
+        return sil_i_undecided_wide(c, eye, out);
+#endif
+    (void)wide;
+    bits = sil_i_undecided_plain(c, eye);
+    for (i = 0; out && i < SIL_I_LANES; ++i)
+        if (bits >> i & 1)
+            sil_i_patch_eye_plain(c, i, eye, out);
+    return bits;
+}
+
+SIL_I_INLINE int sil_i_patch_signs(const int16_t *plane, size_t places, const int32_t eye[4], sil_i_mask front,
+                                   sil_i_mask unsure, int wide) {
+#ifdef SIL_I_WIDE
+    if (wide)
+        return sil_i_patch_signs_wide(plane, places, eye, front, unsure);
+#endif
+    (void)wide;
+    return sil_i_patch_signs_plain(plane, places, eye, front, unsure);
+}
+
+SIL_I_INLINE uint64_t sil_i_patch_edges(const unsigned char *side, size_t count, const sil_i_mask front,
+                                        uint64_t *second, int wide) {
+#ifdef SIL_I_WIDE
+    if (wide)
+        return sil_i_patch_edges_wide(side, count, front, second);
+#endif
+    (void)wide;
+    return sil_i_patch_edges_plain(side, count, front, second);
+}
+
+/* From the signs of all faces, or, where there are none, one by one; of the places in `which`. */
+static void sil_i_gather_signs(const sil_i_signs *signs, size_t patch, const sil_i_mask which, sil_i_mask front) {
+    size_t word;
+    for (word = 0; word < SIL_I_PLACES / 64; ++word) {
+        uint64_t left = which[word];
+        for (; left; left &= left - 1) {
+            const unsigned bit = sil_i_lowest_bit(left);
+            const uint32_t face = sil_i_face_at(signs->mesh, patch, 64 * word + bit);
+            front[word] |= (uint64_t)sil_i_is_front(signs, face) << bit;
+        }
+    }
+}
+
+static void sil_i_all_places(size_t places, sil_i_mask all) {
+    all[0] = places < 64 ? ((uint64_t)1 << places) - 1 : ~(uint64_t)0;
+    all[1] = places <= 64 ? 0 : places < 128 ? ((uint64_t)1 << (places - 64)) - 1 : ~(uint64_t)0;
+}
+
+/* Patches are handled a batch at a time, in three steps, and what a step reads is asked for in the one before: memory
+   answers a hundred times slower than a core computes, but many requests at once. */
+#define SIL_I_BATCH 16u
+
+typedef struct sil_i_batch {
+    const sil_i_signs *signs;
+    sil_i_edges_out *out;
+    size_t count, looked;
+    int sparse; /* are the patches of the batch scattered? Those in a row are fetched by the machine itself */
+    const sil_i_head *head[SIL_I_BATCH];
+    uint32_t patch[SIL_I_BATCH];
+    int32_t eye[SIL_I_BATCH][4]; /* weights, above, below */
+    size_t runs;                 /* of up to 64 edges that have silhouettes */
+    const uint32_t *record[SIL_I_BATCH];
+    uint32_t start[SIL_I_BATCH];
+    uint64_t differ[SIL_I_BATCH], second[SIL_I_BATCH];
+} sil_i_batch;
+
+static void sil_i_batch_begin(sil_i_batch *batch, const sil_i_signs *signs, sil_i_edges_out *out) {
+    batch->signs = signs;
+    batch->out = out;
+    batch->count = batch->looked = batch->runs = 0;
+    batch->sparse = 0;
+}
+
+SIL_I_INLINE void sil_i_fetch(const void *memory, size_t lines) {
+#if defined(__GNUC__) && !defined(__TINYC__)
+    const char *at = (const char *)memory;
+    for (; lines > 0; --lines, at += SIL_I_LINE)
+        __builtin_prefetch(at);
+#else
+    (void)memory;
+    (void)lines;
+#endif
+}
+
+SIL_I_INLINE void sil_i_batch_write(sil_i_batch *batch, int wide) {
+    size_t i;
+    for (i = 0; i < batch->runs; ++i)
+        sil_i_write_silhouettes(batch->signs, batch->record[i], batch->start[i], batch->differ[i], batch->second[i],
+                                batch->out, wide);
+    batch->runs = 0;
+}
+
+/* Finds the silhouettes of a patch whose faces' signs are known. */
+SIL_I_INLINE void sil_i_batch_find(sil_i_batch *batch, const sil_i_head *head, const sil_i_mask front, int wide) {
+    const unsigned char *sides = sil_i_patch_sides(head);
+    const uint32_t *records = sil_i_patch_records(head);
+    uint32_t i;
+    sil_i_mask all;
+    sil_i_all_places(head->places, all);
+    if (!(front[0] | front[1]) || (front[0] == all[0] && front[1] == all[1]))
+        return;
+    for (i = 0; i < head->edge_count; i += 64) {
+        const uint32_t left = head->edge_count - i < 64 ? head->edge_count - i : 64;
+        const size_t run = batch->runs;
+        uint64_t differ = sil_i_patch_edges(sides + 2 * i, left, front, &batch->second[run], wide);
+        batch->record[run] = records + 4 * (size_t)i;
+        batch->start[run] = head->edge_first + i;
+        batch->differ[run] = differ;
+        batch->runs += differ != 0;
+        while (batch->sparse && differ) { /* four records are a line */
+            const unsigned bit = sil_i_lowest_bit(differ) & ~3u;
+            sil_i_fetch(batch->record[run] + 4 * bit, 1);
+            differ &= ~((uint64_t)15 << bit);
+        }
+        if (batch->runs == SIL_I_BATCH)
+            sil_i_batch_write(batch, wide);
+    }
+}
+
+/* ---- the search of the hierarchy ---- */
+
+SIL_I_INLINE void sil_i_batch_run(sil_i_batch *batch, int wide) {
+    size_t i;
+    batch->sparse = batch->count && batch->patch[batch->count - 1] - batch->patch[0] > 2 * SIL_I_BATCH;
+    for (i = 0; i < batch->count; ++i) {
+        const sil_i_head *head = batch->head[i];
+        sil_i_mask front, unsure;
+        int doubt = 1;
+        if (head->loose) {
+            front[0] = front[1] = 0;
+            sil_i_all_places(head->places, unsure);
+        } else
+            doubt = sil_i_patch_signs(sil_i_patch_planes(head), head->places, batch->eye[i], front, unsure, wide);
+        if (doubt)
+            sil_i_gather_signs(batch->signs, batch->patch[i], unsure, front);
+        sil_i_batch_find(batch, head, front, wide);
+    }
+    sil_i_batch_write(batch, wide);
+    batch->looked += batch->count;
+    batch->count = 0;
+}
+
+/* A patch that may have silhouettes. */
+SIL_I_INLINE void sil_i_batch_add(sil_i_batch *batch, size_t patch, const sil_i_patch_eyes *eyes, int wide) {
+    const sil_i_patches *p = batch->signs->mesh->patches;
+    const size_t lane = patch % SIL_I_LANES, i = batch->count++;
+    batch->patch[i] = (uint32_t)patch;
+    batch->head[i] = sil_i_patch_head(p, patch);
+    batch->eye[i][0] = eyes->weight[0][lane];
+    batch->eye[i][1] = eyes->weight[1][lane];
+    batch->eye[i][2] = eyes->above[lane];
+    batch->eye[i][3] = eyes->below[lane];
+    sil_i_fetch(batch->head[i], 9); /* head, planes, sides */
+    if (batch->count == SIL_I_BATCH)
+        sil_i_batch_run(batch, wide);
+}
+
+/* Looks at all patches that may have silhouettes, in rising order. Returns their number. */
+SIL_I_INLINE size_t sil_i_hunt_by(const sil_i_signs *signs, sil_i_edges_out *out, int wide) {
+    const sil_i_hierarchy *h = signs->mesh->hierarchy;
     uint32_t stack[(SIL_I_LANES - 1) * SIL_I_LEVELS + 1];
     unsigned char level[(SIL_I_LANES - 1) * SIL_I_LEVELS + 1];
-    const size_t most = h->leaf_count / SIL_I_GIVE_WAY + SIL_I_LANES;
-    size_t top = 1, counts[SIL_I_LEVELS], child;
-    unsigned bits, k;
-    counts[0] = h->leaf_count;
-    for (k = 1; k < SIL_I_LEVELS; ++k)
-        counts[k] = (counts[k - 1] + SIL_I_LANES - 1) / SIL_I_LANES;
+    size_t top = 1;
+    sil_i_batch batch;
+    sil_i_batch_begin(&batch, signs, out);
     stack[0] = 0;
     level[0] = (unsigned char)h->levels;
     while (top) {
         const unsigned below = level[--top] - 1u;
         const size_t at = stack[top];
-        bits = sil_i_undecided(&h->cones[h->first[below + 1] + at], hunt->eye);
-        for (k = 0; k < SIL_I_LANES; ++k) {
-            child = at * SIL_I_LANES + (below ? SIL_I_LANES - 1 - k : k); /* the first on top of the stack */
-            if (!(bits >> child % SIL_I_LANES & 1) || child >= counts[below])
-                continue;
-            if (below) {
-                stack[top] = (uint32_t)child;
-                level[top++] = (unsigned char)below;
-            } else if (++hunt->visited > most || !sil_i_hunt_leaf(hunt, child))
-                return 0;
-        }
-    }
-    return 1;
-}
-
-/* Edges that are candidates whatever the signs of two faces are: of many faces, and of other kinds asked for. */
-static const uint32_t *sil_i_other_candidates(const sil_mesh *mesh, unsigned kinds, size_t *count) {
-    const int special = (kinds & (SIL_I_LINES & ~(unsigned)SIL_SILHOUETTE)) != 0;
-    *count = special ? mesh->hierarchy->special_count : mesh->many_count;
-    return special ? mesh->hierarchy->special : mesh->many_edge;
-}
-
-/* The silhouettes of edges of two faces by the hierarchy, rising. 0: by the flat scan then. */
-static int sil_i_hunt_edges(const sil_i_signs *signs, sil_pose *pose, unsigned kinds, size_t *count) {
-    const sil_mesh *mesh = signs->mesh;
-    sil_i_hunt hunt;
-    if (pose->flat_left) {
-        --pose->flat_left;
-        return 0;
-    }
-    (void)sil_i_other_candidates(mesh, kinds, count);
-    hunt.mesh = mesh;
-    hunt.h = mesh->hierarchy;
-    hunt.eye = &signs->eye;
-    hunt.found = pose->found;
-    hunt.front = pose->front;
-    hunt.count = hunt.visited = 0;
-    hunt.capacity = pose->found_capacity;
-    if (*count > hunt.capacity || !sil_i_hunt_run(&hunt)) {
-        pose->flat_wait = pose->flat_wait ? 2 * pose->flat_wait : 1;
-        pose->flat_wait = pose->flat_wait > SIL_I_PATIENCE ? SIL_I_PATIENCE : pose->flat_wait;
-        pose->flat_left = pose->flat_wait;
-        return 0;
-    }
-    pose->flat_wait = 0;
-    *count = hunt.count;
-    return 1;
-}
-
-/* What a call of sil_extract writes. */
-typedef struct sil_i_edges_out {
-    sil_edge *edges;
-    size_t capacity, count;
-    unsigned kinds;
-} sil_i_edges_out;
-
-static void sil_i_extract_one(const sil_i_signs *signs, uint32_t edge, sil_i_edges_out *out) {
-    uint32_t face[2];
-    unsigned found;
-    if (sil_i_edge_is_bad(signs, edge))
-        return;
-    found = sil_i_classify(signs, edge, face);
-    if (!(found & out->kinds))
-        return;
-    if (out->edges && out->count < out->capacity)
-        sil_i_write_edge(signs, edge, found, face, &out->edges[out->count]);
-    ++out->count;
-}
-
-static void sil_i_extract_flat(const sil_i_signs *signs, sil_i_edges_out *out) {
-    unsigned char candidate[SIL_I_BLOCK];
-    size_t first, i;
-    for (first = 0; first < signs->mesh->edge_count; first += SIL_I_BLOCK) {
-        sil_i_candidates(signs, first, out->kinds, candidate);
-        for (i = 0; i < SIL_I_BLOCK; ++i) {
-            uint64_t eight;
-            if (i % 8 == 0) {
-                memcpy(&eight, candidate + i, sizeof eight);
-                if (!eight) {
-                    i += 7;
-                    continue;
-                }
+        const sil_i_cones *cones = &h->cones[h->first[below + 1] + at];
+        sil_i_patch_eyes eyes;
+        unsigned k, bits = sil_i_undecided(cones, &signs->eye, below ? NULL : &eyes, wide);
+        if (below)
+            for (k = SIL_I_LANES; k-- > 0;) { /* the first on top of the stack */
+                stack[top] = (uint32_t)(at * SIL_I_LANES + k);
+                level[top] = (unsigned char)below;
+                top += bits >> k & 1;
             }
-            if (candidate[i])
-                sil_i_extract_one(signs, (uint32_t)(first + i), out);
-        }
+        else
+            for (; bits; bits &= bits - 1)
+                sil_i_batch_add(&batch, at * SIL_I_LANES + sil_i_lowest_bit(bits), &eyes, wide);
     }
+    sil_i_batch_run(&batch, wide);
+    return batch.looked;
 }
 
-/* The silhouettes found and the edges that are candidates for other reasons, both rising, as one. Of the former the
-   pose has the signs. */
-static void sil_i_extract_found(const sil_i_signs *signs, const sil_pose *pose, size_t count, sil_i_edges_out *out) {
-    const uint32_t *found = pose->found;
-    sil_i_signs known = *signs;
-    size_t other_count, i = 0, j = 0;
-    const uint32_t *other = sil_i_other_candidates(signs->mesh, out->kinds, &other_count);
-    known.front = pose->front;
-    while (i < count || j < other_count) {
-        const uint32_t a = i < count ? found[i] : SIL_NONE, b = j < other_count ? other[j] : SIL_NONE;
-        i += a <= b;
-        j += b <= a;
-        sil_i_extract_one(a <= b ? &known : signs, a < b ? a : b, out);
+/* All patches, from the signs of their faces. */
+SIL_I_INLINE void sil_i_scan_by(const sil_i_signs *signs, sil_i_edges_out *out, int wide) {
+    const sil_i_patches *p = signs->mesh->patches;
+    size_t patch;
+    sil_i_batch batch;
+    sil_i_batch_begin(&batch, signs, out);
+    for (patch = 0; patch < p->count; ++patch) {
+        const sil_i_head *head = sil_i_patch_head(p, patch);
+        sil_i_mask all, front = {0, 0};
+        sil_i_all_places(head->places, all);
+        sil_i_gather_signs(signs, patch, all, front);
+        sil_i_batch_find(&batch, head, front, wide);
     }
+    sil_i_batch_write(&batch, wide);
+}
+
+static size_t sil_i_hunt_plain(const sil_i_signs *signs, sil_i_edges_out *out) {
+    return sil_i_hunt_by(signs, out, 0);
+}
+
+static void sil_i_scan_plain(const sil_i_signs *signs, sil_i_edges_out *out) {
+    sil_i_scan_by(signs, out, 0);
+}
+
+#ifdef SIL_I_WIDE
+SIL_I_WIDE static size_t sil_i_hunt_wide(const sil_i_signs *signs, sil_i_edges_out *out) {
+    return sil_i_hunt_by(signs, out, 1);
+}
+
+SIL_I_WIDE static void sil_i_scan_wide(const sil_i_signs *signs, sil_i_edges_out *out) {
+    sil_i_scan_by(signs, out, 1);
+}
+#endif
+
+static size_t sil_i_hunt(const sil_i_signs *signs, sil_i_edges_out *out) {
+#ifdef SIL_I_WIDE
+    if (signs->mesh->wide)
+        return sil_i_hunt_wide(signs, out);
+#endif
+    return sil_i_hunt_plain(signs, out);
+}
+
+static void sil_i_scan(const sil_i_signs *signs, sil_i_edges_out *out) {
+#ifdef SIL_I_WIDE
+    if (signs->mesh->wide) {
+        sil_i_scan_wide(signs, out);
+        return;
+    }
+#endif
+    sil_i_scan_plain(signs, out);
 }
 
 /* ---- the dead zone ---- */
@@ -3998,64 +4542,40 @@ static void sil_i_zone_apply(sil_pose *pose, const sil_i_shape *shape, const sil
             front[mesh->flat_face[f]] = front[mesh->flat_root[f]];
 }
 
-/* sil_extract by the flat scan over signs with the zone. */
-static size_t sil_i_zone_extract(sil_i_signs *signs, sil_pose *pose, unsigned kinds, sil_edge *edges, size_t capacity) {
-    const sil_mesh *mesh = signs->mesh;
-    const unsigned char fixed = (unsigned char)((kinds & SIL_I_LINES) | SIL_I_MANY), *front = pose->front;
-    uint32_t e, face[2];
-    size_t count = 0;
-    sil_i_front_all(mesh, signs->shape, &signs->eye, pose->front);
-    if (signs->eye.valid)
-        sil_i_zone_apply(pose, signs->shape, &signs->eye);
-    sil_i_clear_bad_faces(mesh, signs->shape, pose->front);
-    signs->front = pose->front;
-    for (e = 0; e < mesh->edge_count; ++e) {
-        unsigned found;
-        if (!(mesh->edge_kinds[e] & fixed) && front[mesh->edge_face[0][e]] == front[mesh->edge_face[1][e]])
-            continue;
-        if (sil_i_edge_is_bad(signs, e))
-            continue;
-        found = sil_i_classify(signs, e, face);
-        if (!(found & kinds & SIL_I_LINES))
-            continue;
-        if (edges && count < capacity)
-            sil_i_write_edge(signs, e, found, face, &edges[count]);
-        ++count;
-    }
-    return count;
-}
-
 SIL_DEF size_t sil_extract(const sil_mesh *mesh, sil_pose *pose, const sil_view *view, unsigned kinds, sil_edge *edges,
                            size_t capacity) {
     sil_i_signs signs;
     sil_i_edges_out out;
-    size_t found;
+    size_t looked = 0;
+    int search, zone;
     if (!mesh || (pose && pose->mesh != mesh))
         return 0;
     memset(&signs, 0, sizeof signs);
     signs.mesh = mesh;
     signs.shape = sil_i_shape_of(mesh, pose);
-    out.edges = edges;
-    out.capacity = capacity;
-    out.count = 0;
-    out.kinds = kinds & SIL_I_LINES;
+    sil_i_edges_begin(mesh, kinds, edges, capacity, &out);
+    zone = pose && pose->zone_sine > 0;
+    search = mesh->hierarchy && signs.shape == &mesh->rest && !zone;
     if (view) {
         signs.in_view = 1;
         sil_i_eye_make(&signs.eye, view, signs.shape);
-        if (pose && pose->zone_sine > 0)
-            return sil_i_zone_extract(&signs, pose, kinds, edges, capacity);
-        if (pose && !pose->is_set && mesh->hierarchy && kinds & SIL_SILHOUETTE && signs.eye.valid &&
-            sil_i_hunt_edges(&signs, pose, kinds, &found)) {
-            sil_i_extract_found(&signs, pose, found, &out);
-            return out.count;
-        }
-        if (pose) {
+        if (pose && (!search || (size_t)(out.other_end - out.other) > mesh->face_count / 8)) {
             sil_i_front_all(mesh, signs.shape, &signs.eye, pose->front);
+            if (zone && signs.eye.valid)
+                sil_i_zone_apply(pose, signs.shape, &signs.eye);
             sil_i_clear_bad_faces(mesh, signs.shape, pose->front);
             signs.front = pose->front;
         }
+        if (kinds & SIL_SILHOUETTE && signs.eye.valid) {
+            if (search)
+                looked = sil_i_hunt(&signs, &out);
+            else
+                sil_i_scan(&signs, &out);
+        }
     }
-    sil_i_extract_flat(&signs, &out);
+    sil_i_extract_others(&signs, SIL_NONE, &out);
+    if (pose)
+        pose->looked = looked;
     return out.count;
 }
 

@@ -223,8 +223,8 @@ static void run_views(FILE *csv, const char *scene, const published *p, sil_pose
     report(csv, scene, mesh->edge_count, "published", times[0][views / 2], p->bytes, errors[0]);
     report(csv, scene, mesh->edge_count, "brute", times[1][views / 2], sil_mesh_get_info(mesh).bytes + mesh->face_count,
            errors[1]);
-    report(csv, scene, mesh->edge_count, "hierarchy", times[2][views / 2],
-           sil_mesh_get_info(other).hierarchy_bytes + 2 * poses[1]->found_capacity * sizeof(uint32_t), errors[2]);
+    report(csv, scene, mesh->edge_count, "hierarchy", times[2][views / 2], sil_mesh_get_info(other).hierarchy_bytes,
+           errors[2]);
     printf("  %.2f %% of the edges are silhouettes; published / hierarchy %.1f, brute / hierarchy %.2f\n",
            100.0 * (double)lines / (double)(3 * ((views + 6) / 7) * mesh->edge_count),
            times[0][views / 2] / times[2][views / 2], times[1][views / 2] / times[2][views / 2]);
