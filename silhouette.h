@@ -436,25 +436,65 @@ typedef struct sil_ribbon_vertex {
 typedef enum sil_cap { SIL_CAP_ROUND = 0, SIL_CAP_BUTT, SIL_CAP_SQUARE } sil_cap;     /* ends of a strip */
 typedef enum sil_join { SIL_JOIN_ROUND = 0, SIL_JOIN_BEVEL, SIL_JOIN_NONE } sil_join; /* between two segments */
 
+/* Which lines are heavy: the illustrators' conventions (Gooch 1999, 3.1 and 5.1.3). See LINE WEIGHTS. */
+typedef enum sil_weight {
+    SIL_WEIGHT_ONE = 0,     /* all alike */
+    SIL_WEIGHT_THICK_THIN,  /* heavy where only one of the faces at the line can be seen: silhouettes and boundaries */
+    SIL_WEIGHT_OUTER,       /* heavy where the line borders the background of `image` */
+    SIL_WEIGHT_PERSPECTIVE, /* heavy in the foreground, thin in the distance */
+    SIL_WEIGHT_LIGHT        /* silhouettes and boundaries thin toward the light, heavy away from it */
+} sil_weight;
+
+enum { SIL_IMAGE_REVERSED = 1 }; /* flag of an image: background has depth 0 */
+
+/* What the host has drawn, read back; it covers the viewport, in any number of pixels. Rows upward, as GL gives them.
+   Either depth (background: 1 and above) or, where depth is NULL, ids. */
+typedef struct sil_image {
+    const float *depth;
+    const uint32_t *ids;
+    uint32_t background; /* the id of pixels where nothing is */
+    uint32_t width, height;
+    size_t stride; /* elements from a row to the next; 0: width */
+    unsigned flags;
+} sil_image;
+
 enum { SIL_RIBBON_ZERO_TO_ONE = 1 }; /* clip space has 0 <= z <= w, as after glClipControl; default: -w <= z <= w */
 
 typedef struct sil_ribbon_desc {
     float model_view[16], projection[16]; /* reversed depth and infinite far planes are fine */
     float viewport_width, viewport_height;
-    float width;          /* pixels; 0: 1.5; at most 4096 */
+    float width;          /* pixels; 0: 1.5; at most 4096, factors included */
     float width_scale[4]; /* times this for silhouettes, boundaries, creases, non-manifold edges; 0: 1. A line of
                              several kinds has that of the first */
     float tolerance;      /* pixels that round caps and joins may lie inside the true circle; 0: 0.1 */
     sil_cap cap;
     sil_join join;
     unsigned flags;
+    sil_weight weight;
+    float heavy, thin; /* factors of the width, for `weight`; 0: 2 and 1 */
+    float light[2];    /* WEIGHT_LIGHT: on the screen, right and up, toward the light; both 0: from the upper left */
+    float reach[2];    /* WEIGHT_PERSPECTIVE: distances from the eye, along its view, at which lines are heavy and
+                               thin; both 0: those of the box around the mesh in this pose, nearest and farthest corner */
+    const sil_image *image; /* WEIGHT_OUTER */
+    const float *widths;    /* a further factor for each strip vertex, as many as `vertices`; NULL: 1. Negative and not
+                               finite: 0 */
+    float taper;            /* pixels over which the ends of open strips grow from nothing; 0: none */
+    const float *dashes;    /* pixels drawn, left out, drawn, ...; NULL: all is drawn. See DASHES */
+    size_t dash_count;      /* even, at most 64 */
+    const float *phases;    /* one a strip: where in the dashes it begins, pixels; NULL: 0 */
+    const float *along;     /* where in the dashes each strip vertex is, as many as `vertices`, in place of arc length
+                               plus phase: see sil_dashes; NULL: none */
+    const float *points;    /* strips over these places, three floats each, instead of over the mesh's vertices: see
+                               sil_smooth. mesh may be NULL then */
+    size_t point_stride, point_count; /* bytes, 0: 12 */
 } sil_ribbon_desc;
 
 /* Strips to triangles, three vertices each, in the mesh's rest or posed positions. Triangles of one line overlap at
    joins (draw them opaque, or once each by stencil) but leave no gap. Lines are clipped to the depth range, and to the
    viewport widened by the line's width: a cut outside the viewport has a cap where it cannot be seen. Neither order nor
-   winding of the triangles means anything. vertices: the array that the strips were made into. Ranges, vertices and
-   matrices that make no sense draw nothing. Whole triangles are written while there is room. */
+   winding of the triangles means anything. vertices: the array that the strips were made into; NULL, with points:
+   strips are ranges of points. Widths change linearly on the screen between two vertices. Ranges, vertices, matrices
+   and dashes that make no sense draw nothing. Whole triangles are written while there is room. */
 SIL_DEF size_t sil_ribbons(const sil_mesh *mesh, const sil_pose *pose, const sil_strip *strips, size_t strip_count,
                            const uint32_t *vertices, const sil_ribbon_desc *desc, sil_ribbon_vertex *out,
                            size_t capacity);
@@ -3133,9 +3173,25 @@ static int sil_i_is_singular(const double m[16]) {
     return !(sil_i_abs(sil_i_minor(m, 0, 1, 2, 3)) > 1e-14 * product);
 }
 
-SIL_DEF sil_result sil_view_from_matrices(const float model_view[16], const float projection[16], sil_view *view) {
-    double mv[16], p[16], clip[16], eye[4], toward, largest = 0;
+/* The eye of a scene, in the mesh's coordinates: the centre of projection is the point that has no place on the screen,
+   clip x, y and w are all 0 there. Returns 1 where its sign had to be turned, that is where left and right on the
+   screen are exchanged. */
+static int sil_i_eye_point(const double mv[16], const double p[16], double eye[4]) {
+    double clip[16], toward;
     int i, negate;
+    sil_i_multiply(p, mv, clip);
+    for (i = 0; i < 4; ++i)
+        eye[i] = sil_i_minor(clip, 0, 1, 3, i) * (i % 2 ? -1 : 1);
+    toward = eye[0] * mv[2] + eye[1] * mv[6] + eye[2] * mv[10] + eye[3] * mv[14];
+    negate = eye[3] < 0 || (!(eye[3] > 0) && toward < 0);
+    for (i = 0; i < 4; ++i)
+        eye[i] = negate ? -eye[i] : eye[i];
+    return negate;
+}
+
+SIL_DEF sil_result sil_view_from_matrices(const float model_view[16], const float projection[16], sil_view *view) {
+    double mv[16], p[16], eye[4], largest = 0;
+    int i;
     if (!view)
         return SIL_INVALID_ARGUMENT;
     memset(view, 0, sizeof *view);
@@ -3143,18 +3199,13 @@ SIL_DEF sil_result sil_view_from_matrices(const float model_view[16], const floa
         return SIL_INVALID_ARGUMENT;
     sil_i_widen(model_view, mv, 16);
     sil_i_widen(projection, p, 16);
-    sil_i_multiply(p, mv, clip);
-    /* The centre of projection is the point that has no place on the screen: clip x, y and w are all 0 there. */
-    for (i = 0; i < 4; ++i) {
-        eye[i] = sil_i_minor(clip, 0, 1, 3, i) * (i % 2 ? -1 : 1);
+    (void)sil_i_eye_point(mv, p, eye);
+    for (i = 0; i < 4; ++i)
         largest = sil_i_larger(largest, sil_i_abs(eye[i]));
-    }
     if (!(largest > 0) || sil_i_is_singular(mv))
         return SIL_INVALID_ARGUMENT;
-    toward = eye[0] * mv[2] + eye[1] * mv[6] + eye[2] * mv[10] + eye[3] * mv[14];
-    negate = eye[3] < 0 || (!(eye[3] > 0) && toward < 0);
     for (i = 0; i < 4; ++i)
-        view->eye[i] = (negate ? -eye[i] : eye[i]) / largest;
+        view->eye[i] = eye[i] / largest;
     return SIL_OK;
 }
 
@@ -5179,29 +5230,52 @@ SIL_DEF float sil_max_distance(const sil_mesh *mesh, const sil_pose *pose, const
 
 /* ---- ribbons ---- */
 
+#define SIL_I_DASHES 64       /* lengths in a pattern */
+#define SIL_I_PERIODS 65536.0 /* of dashes in one segment; more are drawn as a whole line */
+#define SIL_I_TURN 1048576.0  /* arc, as it is given out, starts again there */
+#define SIL_I_OUTER_STEP 2.0  /* pixels from one look at the image to the next */
+#define SIL_I_OUTER_RAMP 8.0  /* pixels in which a line goes from thin to heavy */
+
 /* Where a point is drawn. */
 typedef struct sil_i_spot {
     double x, y, depth, slack, arc;
+    double along; /* in the dashes */
+    double half;  /* of the width */
 } sil_i_spot;
 
+/* A vertex of a strip, before anything is cut. */
+typedef struct sil_i_stop {
+    double clip[4], along, half;
+    int known;
+} sil_i_stop;
+
 typedef struct sil_i_pen {
-    const sil_mesh *mesh;
+    const sil_mesh *mesh; /* NULL: desc->points */
     const sil_i_shape *shape;
+    const sil_ribbon_desc *desc;
     double model_view[16], projection[16];
-    double width, height;    /* viewport */
-    double half;             /* of the strip's width */
+    double width, height;          /* viewport */
+    double heavy, thin;            /* factors */
+    double light[2];               /* on the screen, of length 1, or its opposite where left and right are exchanged */
+    double reach[2];               /* where lines are heavy and thin */
+    double low;                    /* clip z >= low * w: -1 or 0 */
+    double dash_end[SIL_I_DASHES]; /* pixels from the pattern's begin */
+    size_t dash_count;
+    const sil_strip *strip;
+    const uint32_t *vertices;
+    double half;             /* of the strip's width, before the factors of its vertices */
     double step;             /* largest angle of one part of a round cap or join */
-    double low;              /* clip z >= low * w: -1 or 0 */
     double guard_x, guard_y; /* |clip x| <= guard_x * w */
-    sil_cap cap;
-    sil_join join;
-    uint32_t kinds;
-    double arc;          /* so far along the strip, unclipped */
-    sil_i_spot last;     /* where the pen is */
-    double direction[2]; /* of the segment before */
-    int down;            /* a segment ended at `last` */
-    int started;         /* something of the strip was drawn */
-    int dotted;          /* something of it was to be drawn that has no length, at `dot` */
+    double phase, length;    /* of the strip; its length is known where it has a taper */
+    double arc;              /* so far along the strip, unclipped */
+    double arc_turn;         /* what is taken off an arc that is given out */
+    double level;            /* WEIGHT_OUTER: from 0, thin, to 1, heavy; negative: not known yet */
+    sil_i_spot last;         /* where the pen is */
+    double direction[2];     /* of the segment before */
+    double way[2];           /* of the piece that is cut into dashes */
+    int down;                /* a segment ended at `last` */
+    int started;             /* something of the strip was drawn */
+    int dotted;              /* something of it was to be drawn that has no length, at `dot` */
     sil_i_spot dot;
     int joins_start; /* the first segment began uncut in a closed strip: the cap there waits for the end */
     sil_i_spot start;
@@ -5211,7 +5285,7 @@ typedef struct sil_i_pen {
 } sil_i_pen;
 
 /* One corner: an offset from a spot on the centre line. */
-static void sil_i_pen_vertex(sil_i_pen *pen, const sil_i_spot *spot, double dx, double dy, double arc, size_t at) {
+static void sil_i_pen_vertex(sil_i_pen *pen, const sil_i_spot *spot, double dx, double dy, size_t at) {
     sil_ribbon_vertex *v = &pen->out[at];
     v->x = (float)(spot->x + dx);
     v->y = (float)(spot->y + dy);
@@ -5219,17 +5293,17 @@ static void sil_i_pen_vertex(sil_i_pen *pen, const sil_i_spot *spot, double dx, 
     v->slack = (float)spot->slack;
     v->center_x = (float)spot->x;
     v->center_y = (float)spot->y;
-    v->arc = (float)arc;
-    v->kinds = pen->kinds;
+    v->arc = (float)sil_i_larger(spot->arc - pen->arc_turn, 0);
+    v->kinds = pen->strip->kinds;
 }
 
 /* A triangle with corners at three spots, offset by o[0..1], o[2..3], o[4..5]. */
 static void sil_i_pen_triangle(sil_i_pen *pen, const sil_i_spot *a, const sil_i_spot *b, const sil_i_spot *c,
                                const double o[6]) {
     if (pen->out && pen->capacity >= 3 && pen->count <= pen->capacity - 3) {
-        sil_i_pen_vertex(pen, a, o[0], o[1], a->arc, pen->count);
-        sil_i_pen_vertex(pen, b, o[2], o[3], b->arc, pen->count + 1);
-        sil_i_pen_vertex(pen, c, o[4], o[5], c->arc, pen->count + 2);
+        sil_i_pen_vertex(pen, a, o[0], o[1], pen->count);
+        sil_i_pen_vertex(pen, b, o[2], o[3], pen->count + 1);
+        sil_i_pen_vertex(pen, c, o[4], o[5], pen->count + 2);
     }
     pen->count += 3;
 }
@@ -5256,11 +5330,13 @@ static int sil_i_pen_parts(const sil_i_pen *pen, double angle) {
 }
 
 static void sil_i_pen_cap(sil_i_pen *pen, const sil_i_spot *spot, double dx, double dy) {
-    const double n[2] = {dy * pen->half, -dx * pen->half}; /* to the right of the way out */
-    if (pen->cap == SIL_CAP_ROUND)
+    const double n[2] = {dy * spot->half, -dx * spot->half}; /* to the right of the way out */
+    if (!(spot->half > 0))
+        return;
+    if (pen->desc->cap == SIL_CAP_ROUND)
         sil_i_pen_fan(pen, spot, n, SIL_I_PI, sil_i_pen_parts(pen, SIL_I_PI));
-    if (pen->cap == SIL_CAP_SQUARE) {
-        const double x = dx * pen->half, y = dy * pen->half;
+    if (pen->desc->cap == SIL_CAP_SQUARE) {
+        const double x = dx * spot->half, y = dy * spot->half;
         double o[6];
         o[0] = n[0];
         o[1] = n[1];
@@ -5281,34 +5357,37 @@ static void sil_i_pen_cap(sil_i_pen *pen, const sil_i_spot *spot, double dx, dou
 static void sil_i_pen_join(sil_i_pen *pen, const sil_i_spot *spot, const double from[2], const double to[2]) {
     const double cross = from[0] * to[1] - from[1] * to[0], dot = from[0] * to[0] + from[1] * to[1];
     const double angle = atan2(cross, dot), side = angle > 0 ? 1 : -1; /* a line that turns back: either */
-    const double n[2] = {side * from[1] * pen->half, -side * from[0] * pen->half};
-    if (pen->join == SIL_JOIN_NONE || sil_i_abs(angle) * pen->half < 1e-4)
+    const double n[2] = {side * from[1] * spot->half, -side * from[0] * spot->half};
+    if (pen->desc->join == SIL_JOIN_NONE || sil_i_abs(angle) * spot->half < 1e-4)
         return;
-    if (pen->join == SIL_JOIN_ROUND)
+    if (pen->desc->join == SIL_JOIN_ROUND)
         sil_i_pen_fan(pen, spot, n, angle, sil_i_pen_parts(pen, angle));
     else {
         double o[6] = {0, 0, 0, 0, 0, 0};
         o[2] = n[0];
         o[3] = n[1];
-        o[4] = side * to[1] * pen->half;
-        o[5] = -side * to[0] * pen->half;
+        o[4] = side * to[1] * spot->half;
+        o[5] = -side * to[0] * spot->half;
         sil_i_pen_triangle(pen, spot, spot, spot, o);
     }
 }
 
 static void sil_i_pen_quad(sil_i_pen *pen, const sil_i_spot *a, const sil_i_spot *b, const double d[2]) {
-    const double x = -d[1] * pen->half, y = d[0] * pen->half;
     double o[6];
-    o[0] = x;
-    o[1] = y;
-    o[2] = -x;
-    o[3] = -y;
-    o[4] = x;
-    o[5] = y;
+    if (!(a->half > 0 || b->half > 0))
+        return;
+    o[0] = -d[1] * a->half;
+    o[1] = d[0] * a->half;
+    o[2] = -o[0];
+    o[3] = -o[1];
+    o[4] = -d[1] * b->half;
+    o[5] = d[0] * b->half;
     sil_i_pen_triangle(pen, a, a, b, o);
-    o[0] = -x;
-    o[1] = -y;
-    sil_i_pen_triangle(pen, a, b, b, o); /* o[2..3] and o[4..5] as before: right and left at b */
+    o[0] = o[2];
+    o[1] = o[3];
+    o[2] = -o[4];
+    o[3] = -o[5];
+    sil_i_pen_triangle(pen, a, b, b, o);
 }
 
 /* Depth per motion of one pixel's size toward the eye. With J the derivative of the place on the screen, in pixels, by
@@ -5346,19 +5425,42 @@ static void sil_i_spot_clamp(const sil_i_pen *pen, sil_i_spot *spot) {
     spot->y = spot->y < -y ? -y : spot->y > pen->height + y ? pen->height + y : spot->y;
 }
 
-/* The spot of the point at t between two points in clip space. */
-static sil_i_spot sil_i_spot_at(const sil_i_pen *pen, const double *a, const double *b, double t) {
+static double sil_i_mix(double a, double b, double t) {
+    return (1 - t) * a + t * b; /* exactly a and b at 0 and 1 */
+}
+
+static double sil_i_gap(const sil_i_spot *a, const sil_i_spot *b) {
+    return sqrt((b->x - a->x) * (b->x - a->x) + (b->y - a->y) * (b->y - a->y));
+}
+
+/* The spot of the point at t between two vertices; its arc is not known yet. */
+static sil_i_spot sil_i_spot_at(const sil_i_pen *pen, const sil_i_stop *a, const sil_i_stop *b, double t) {
     sil_i_spot spot;
     double clip[4], depth;
     int k;
-    memset(&spot, 0, sizeof spot);
     for (k = 0; k < 4; ++k)
-        clip[k] = (1 - t) * a[k] + t * b[k]; /* exactly a and b at 0 and 1 */
+        clip[k] = sil_i_mix(a->clip[k], b->clip[k], t);
     depth = clip[2] / clip[3];
     sil_i_screen(pen, clip, &spot.x, &spot.y);
     depth = pen->low < 0 ? 0.5 * depth + 0.5 : depth;
     spot.depth = depth < 0 ? 0 : depth > 1 ? 1 : depth;
     spot.slack = sil_i_slack(pen, clip);
+    spot.arc = 0;
+    spot.along = sil_i_mix(a->along, b->along, t);
+    spot.half = sil_i_mix(a->half, b->half, t);
+    return spot;
+}
+
+/* The spot at t between two spots of one segment, where everything is linear on the screen. */
+static sil_i_spot sil_i_spot_mix(const sil_i_spot *a, const sil_i_spot *b, double t) {
+    sil_i_spot spot;
+    spot.x = sil_i_mix(a->x, b->x, t);
+    spot.y = sil_i_mix(a->y, b->y, t);
+    spot.depth = sil_i_mix(a->depth, b->depth, t);
+    spot.slack = sil_i_mix(a->slack, b->slack, t);
+    spot.arc = sil_i_mix(a->arc, b->arc, t);
+    spot.along = sil_i_mix(a->along, b->along, t);
+    spot.half = sil_i_mix(a->half, b->half, t);
     return spot;
 }
 
@@ -5397,19 +5499,25 @@ static void sil_i_pen_lift(sil_i_pen *pen) {
 
 /* Draws to a spot from where the pen is (down) or from `from`. `keep_cap`: the start of a closed strip. */
 static void sil_i_pen_draw(sil_i_pen *pen, const sil_i_spot *from, const sil_i_spot *to, int keep_cap) {
-    const sil_i_spot start = pen->down ? pen->last : *from;
-    const double dx = to->x - start.x, dy = to->y - start.y, length = sqrt(dx * dx + dy * dy);
-    double d[2];
+    sil_i_spot start = *from;
+    double length, d[2];
+    if (pen->down) { /* short segments that were left out may lie between */
+        start.x = pen->last.x;
+        start.y = pen->last.y;
+    }
+    length = sil_i_gap(&start, to);
     if (length < 1e-4) { /* too short to have a direction: the next segment begins where this one did */
         pen->dotted = 1;
         pen->dot = start;
         return;
     }
-    d[0] = dx / length;
-    d[1] = dy / length;
-    if (pen->down)
-        sil_i_pen_join(pen, &start, pen->direction, d);
-    else if (keep_cap) {
+    d[0] = (to->x - start.x) / length;
+    d[1] = (to->y - start.y) / length;
+    if (pen->down) {
+        sil_i_spot corner = start;
+        corner.half = sil_i_larger(start.half, pen->last.half);
+        sil_i_pen_join(pen, &corner, pen->direction, d);
+    } else if (keep_cap) {
         pen->joins_start = 1;
         pen->start = start;
         memcpy(pen->start_direction, d, sizeof d);
@@ -5421,90 +5529,387 @@ static void sil_i_pen_draw(sil_i_pen *pen, const sil_i_spot *from, const sil_i_s
     pen->down = pen->started = 1;
 }
 
-/* A strip that is a point on the screen. */
-static void sil_i_pen_dot(sil_i_pen *pen) {
-    const double n[2] = {pen->half, 0};
-    if (pen->cap == SIL_CAP_ROUND)
-        sil_i_pen_fan(pen, &pen->dot, n, 2 * SIL_I_PI, sil_i_pen_parts(pen, 2 * SIL_I_PI));
-    if (pen->cap == SIL_CAP_SQUARE) {
-        sil_i_pen_cap(pen, &pen->dot, 1, 0);
-        sil_i_pen_cap(pen, &pen->dot, -1, 0);
+/* A strip or a dash that is a point on the screen. */
+static void sil_i_pen_dot(sil_i_pen *pen, const sil_i_spot *spot, double dx, double dy) {
+    const double n[2] = {spot->half, 0};
+    if (pen->desc->cap == SIL_CAP_ROUND && spot->half > 0)
+        sil_i_pen_fan(pen, spot, n, 2 * SIL_I_PI, sil_i_pen_parts(pen, 2 * SIL_I_PI));
+    if (pen->desc->cap == SIL_CAP_SQUARE) {
+        sil_i_pen_cap(pen, spot, dx, dy);
+        sil_i_pen_cap(pen, spot, -dx, -dy);
     }
 }
 
-/* One segment, between two points in clip space. */
-static void sil_i_pen_segment(sil_i_pen *pen, const double *a, const double *b, int keep_cap) {
-    double t[2] = {0, 1}, near_x, near_y, x, y;
-    const double turn = 1048576.0; /* arc starts again there */
-    sil_i_spot from, to;
-    if (!sil_i_cut_depth(pen, a, b, t)) {
+/* ---- ribbons: dashes, tapers, outer lines ---- */
+
+/* One interval of the dashes, drawn or left out; `ends`: the piece ends where the interval does. */
+static void sil_i_pen_dash(sil_i_pen *pen, const sil_i_spot *from, const sil_i_spot *to, size_t index, int ends,
+                           int keep_cap) {
+    const double low = index ? pen->dash_end[index - 1] : 0;
+    if (index & 1)
+        sil_i_pen_lift(pen);
+    else if (pen->dash_end[index] > low)
+        sil_i_pen_draw(pen, from, to, keep_cap);
+    if (ends) {
+        sil_i_pen_lift(pen);
+        if (!(index & 1) && !(pen->dash_end[index] > low))
+            sil_i_pen_dot(pen, to, pen->way[0], pen->way[1]);
+    }
+}
+
+/* A piece of a segment, cut where its dashes end; `along` may run either way. Boundaries come from counting intervals
+   and never from adding lengths up, so that each is passed once. */
+static void sil_i_pen_dashes(sil_i_pen *pen, const sil_i_spot *from, const sil_i_spot *to, int keep_cap) {
+    const size_t count = pen->dash_count;
+    const double span = to->along - from->along, period = count ? pen->dash_end[count - 1] : 0;
+    const double *end = pen->dash_end;
+    const double length = sil_i_gap(from, to);
+    double turn, rest;
+    sil_i_spot at = *from;
+    size_t i = 0;
+    if (!count || !(sil_i_abs(span) <= SIL_I_PERIODS * period) || !(sil_i_abs(from->along) <= 1e12 * period)) {
+        sil_i_pen_draw(pen, from, to, keep_cap);
+        return;
+    }
+    pen->way[0] = length > 0 ? (to->x - from->x) / length : 1;
+    pen->way[1] = length > 0 ? (to->y - from->y) / length : 0;
+    turn = floor(from->along / period);
+    rest = from->along - turn * period;
+    while (i + 1 < count && (end[i] < rest || (end[i] <= rest && (i ? end[i - 1] : 0) < end[i])))
+        ++i;
+    for (;;) {
+        const double bound = turn * period + (span < 0 ? (i ? end[i - 1] : 0) : end[i]);
+        const int ends = span < 0 ? bound > to->along : bound < to->along;
+        const double t = ends ? (bound - from->along) / span : 1;
+        const sil_i_spot next = ends ? sil_i_spot_mix(from, to, t > 0 ? t : 0) : *to;
+        sil_i_pen_dash(pen, &at, &next, i, ends, keep_cap);
+        if (!ends)
+            return;
+        keep_cap = 0;
+        at = next;
+        if (span < 0) {
+            turn -= i == 0;
+            i = (i ? i : count) - 1;
+        } else {
+            turn += i + 1 == count;
+            i = (i + 1) % count;
+        }
+    }
+}
+
+/* Is there nothing at a place on the screen? Beyond the image's border it is as at the border. */
+static int sil_i_is_background(const sil_i_pen *pen, double x, double y) {
+    const sil_image *image = pen->desc->image;
+    const size_t stride = image->stride ? image->stride : image->width;
+    const double u = x / pen->width * image->width, v = y / pen->height * image->height;
+    const size_t column = !(u > 0) ? 0 : u < image->width ? (size_t)u : image->width - 1u;
+    const size_t row = !(v > 0) ? 0 : v < image->height ? (size_t)v : image->height - 1u;
+    if (!image->depth)
+        return image->ids[row * stride + column] == image->background;
+    return image->flags & SIL_IMAGE_REVERSED ? !(image->depth[row * stride + column] > 0)
+                                             : !(image->depth[row * stride + column] < 1);
+}
+
+/* Does a spot of a line that runs along d border the background, one and a half pixels of the coarser grid to a side?
+ */
+static int sil_i_is_outer(const sil_i_pen *pen, const sil_i_spot *spot, const double d[2]) {
+    const sil_image *image = pen->desc->image;
+    const double pixel = sil_i_larger(1, sil_i_larger(pen->width / image->width, pen->height / image->height));
+    const double x = -1.5 * pixel * d[1], y = 1.5 * pixel * d[0];
+    return sil_i_is_background(pen, spot->x + x, spot->y + y) || sil_i_is_background(pen, spot->x - x, spot->y - y);
+}
+
+static double sil_i_outer_factor(const sil_i_pen *pen, double level) {
+    return sil_i_mix(pen->thin, pen->heavy, level);
+}
+
+/* The piece from t0 to t1 of a segment, whose level changes from one to the other. */
+static void sil_i_pen_outer_piece(sil_i_pen *pen, const sil_i_spot *from, const sil_i_spot *to, double t0, double t1,
+                                  const double level[2], int keep_cap) {
+    sil_i_spot a = sil_i_spot_mix(from, to, t0), b = sil_i_spot_mix(from, to, t1);
+    a.half *= sil_i_outer_factor(pen, level[0]);
+    b.half *= sil_i_outer_factor(pen, level[1]);
+    sil_i_pen_dashes(pen, &a, &b, keep_cap && !(t0 > 0));
+}
+
+/* WEIGHT_OUTER looks at the image every two pixels and changes from thin to heavy in eight, so that a pixel of doubt
+   makes no step. Everything else passes through. */
+static void sil_i_pen_outer(sil_i_pen *pen, const sil_i_spot *from, const sil_i_spot *to, int keep_cap) {
+    const double length = sil_i_gap(from, to), most = ceil(length / SIL_I_OUTER_STEP);
+    const int count = most < 1 ? 1 : most < 65536 ? (int)most : 65536;
+    double level[2], d[2];
+    int i, done = 0;
+    if (pen->desc->weight != SIL_WEIGHT_OUTER || !(length > 0)) {
+        sil_i_pen_dashes(pen, from, to, keep_cap);
+        return;
+    }
+    d[0] = (to->x - from->x) / length;
+    d[1] = (to->y - from->y) / length;
+    for (i = 0; i < count; ++i) {
+        const sil_i_spot middle = sil_i_spot_mix(from, to, (i + 0.5) / count);
+        const double wanted = sil_i_is_outer(pen, &middle, d), step = length / count / SIL_I_OUTER_RAMP;
+        level[0] = level[1] = pen->level < 0 ? wanted : pen->level;
+        pen->level = wanted > level[0] ? level[0] + step : level[0] - step;
+        pen->level = sil_i_abs(wanted - level[0]) <= step ? wanted : pen->level;
+        if (sil_i_abs(pen->level - level[0]) > 0) { /* first what was constant */
+            if (i > done)
+                sil_i_pen_outer_piece(pen, from, to, (double)done / count, (double)i / count, level, keep_cap);
+            level[1] = pen->level;
+            sil_i_pen_outer_piece(pen, from, to, (double)i / count, (i + 1.0) / count, level, keep_cap);
+            done = i + 1;
+        }
+    }
+    level[0] = level[1] = pen->level;
+    if (done < count)
+        sil_i_pen_outer_piece(pen, from, to, (double)done / count, 1, level, keep_cap);
+}
+
+static double sil_i_taper(const sil_i_pen *pen, double arc) {
+    const double end = pen->length - arc, near_end = arc < end ? arc : end, taper = (double)pen->desc->taper;
+    return near_end <= 0 ? 0 : near_end < taper ? near_end / taper : 1;
+}
+
+/* The visible part of a segment. Tapers are linear between their two ends and where these meet. */
+static void sil_i_pen_run(sil_i_pen *pen, const sil_i_spot *from, const sil_i_spot *to, int keep_cap) {
+    const double taper = (double)pen->desc->taper;
+    const double bends[3] = {taper < 0.5 * pen->length ? taper : 0.5 * pen->length,
+                             taper < 0.5 * pen->length ? pen->length - taper : 0.5 * pen->length, to->arc};
+    sil_i_spot a = *from, b;
+    int i;
+    if (!(taper > 0) || pen->strip->closed) {
+        sil_i_pen_outer(pen, from, to, keep_cap);
+        return;
+    }
+    a.half *= sil_i_taper(pen, a.arc);
+    for (i = 0; i < 3; ++i) {
+        if (i < 2 && !(bends[i] > a.arc && bends[i] < to->arc))
+            continue;
+        b = i < 2 ? sil_i_spot_mix(from, to, (bends[i] - from->arc) / (to->arc - from->arc)) : *to;
+        b.half *= sil_i_taper(pen, b.arc);
+        sil_i_pen_outer(pen, &a, &b, 0);
+        a = b;
+    }
+}
+
+/* ---- ribbons: segments and strips ---- */
+
+/* What of a segment lies before the eye and within the depth range: its two spots, with arcs. */
+static int sil_i_pen_reaches(sil_i_pen *pen, const sil_i_stop *a, const sil_i_stop *b, double t[2], sil_i_spot *from,
+                             sil_i_spot *to) {
+    t[0] = 0;
+    t[1] = 1;
+    if (!a->known || !b->known || !sil_i_cut_depth(pen, a->clip, b->clip, t))
+        return 0;
+    *from = sil_i_spot_at(pen, a, b, t[0]);
+    *to = sil_i_spot_at(pen, a, b, t[1]);
+    from->arc = pen->arc;
+    to->arc = pen->arc += sil_i_gap(from, to);
+    if (!pen->desc->along) {
+        from->along = from->arc + pen->phase;
+        to->along = to->arc + pen->phase;
+    }
+    return 1;
+}
+
+/* Cuts a spot off at t, where the rest of it is linear on the screen. */
+static void sil_i_spot_cut(const sil_i_pen *pen, const sil_i_stop *a, const sil_i_stop *b, double t,
+                           const sil_i_spot whole[2], sil_i_spot *spot) {
+    const double length = sil_i_gap(&whole[0], &whole[1]);
+    const sil_i_spot exact = sil_i_spot_at(pen, a, b, t);
+    const double part = length > 0 ? sil_i_gap(&whole[0], &exact) / length : 0;
+    *spot = sil_i_spot_mix(&whole[0], &whole[1], part < 1 ? part : 1);
+    spot->x = exact.x;
+    spot->y = exact.y;
+    spot->depth = exact.depth;
+    spot->slack = exact.slack;
+}
+
+/* One segment, between two vertices. */
+static void sil_i_pen_segment(sil_i_pen *pen, const sil_i_stop *a, const sil_i_stop *b, int keep_cap) {
+    double t[2], uncut[2];
+    sil_i_spot whole[2], spot[2];
+    int k;
+    if (!sil_i_pen_reaches(pen, a, b, t, &whole[0], &whole[1])) {
         sil_i_pen_lift(pen);
         return;
     }
-    from = sil_i_spot_at(pen, a, b, t[0]);
-    to = sil_i_spot_at(pen, a, b, t[1]);
-    near_x = from.x;
-    near_y = from.y;
-    from.arc = pen->arc;
-    pen->arc += sqrt((to.x - from.x) * (to.x - from.x) + (to.y - from.y) * (to.y - from.y));
-    if (!sil_i_cut_sides(pen, a, b, t)) {
+    memcpy(uncut, t, sizeof t);
+    if (!sil_i_cut_sides(pen, a->clip, b->clip, t)) {
         sil_i_pen_lift(pen);
         return;
     }
     if (t[0] > 0)
         sil_i_pen_lift(pen);
-    to = sil_i_spot_at(pen, a, b, t[1]);
-    if (t[0] > 0) {
-        const double before = from.arc;
-        from = sil_i_spot_at(pen, a, b, t[0]);
-        x = from.x - near_x;
-        y = from.y - near_y;
-        from.arc = before + sqrt(x * x + y * y);
+    for (k = 0; k < 2; ++k) {
+        spot[k] = whole[k];
+        if (sil_i_abs(t[k] - uncut[k]) > 0)
+            sil_i_spot_cut(pen, a, b, t[k], whole, &spot[k]);
+        sil_i_spot_clamp(pen, &spot[k]);
     }
-    sil_i_spot_clamp(pen, &from);
-    sil_i_spot_clamp(pen, &to);
-    from.arc -= turn * floor(from.arc / turn);
-    if (pen->down)
-        pen->last.arc = from.arc;
-    to.arc = from.arc + sqrt((to.x - from.x) * (to.x - from.x) + (to.y - from.y) * (to.y - from.y));
-    sil_i_pen_draw(pen, &from, &to, keep_cap && !(t[0] > 0));
+    pen->arc_turn = SIL_I_TURN * floor(spot[0].arc / SIL_I_TURN);
+    sil_i_pen_run(pen, &spot[0], &spot[1], keep_cap && !(t[0] > 0));
     if (t[1] < 1)
         sil_i_pen_lift(pen);
 }
 
-/* The clip coordinates of a vertex of the caller's; 0 where it has none. */
-static int sil_i_project(const sil_i_pen *pen, uint32_t vertex, double clip[4]) {
-    const float *p;
-    double eye[4];
-    int i;
+/* The place of a strip's vertex; 0 where it has none. */
+static int sil_i_pen_place(const sil_i_pen *pen, size_t i, float place[3]) {
+    const sil_ribbon_desc *desc = pen->desc;
+    const size_t at = (size_t)pen->strip->first + i;
+    uint32_t vertex = pen->vertices ? pen->vertices[at] : (uint32_t)at;
+    if (desc->points) {
+        const size_t stride = desc->point_stride ? desc->point_stride : 3 * sizeof(float);
+        if (vertex >= desc->point_count)
+            return 0;
+        memcpy(place, (const char *)(const void *)desc->points + stride * vertex, 3 * sizeof(float));
+        return sil_i_all_finite(place, 3);
+    }
     if (vertex >= pen->mesh->vertex_count || pen->shape->bad[pen->mesh->welded[vertex]])
         return 0;
-    p = pen->shape->position + 3 * (size_t)pen->mesh->welded[vertex];
-    for (i = 0; i < 4; ++i)
-        eye[i] = pen->model_view[i] * (double)p[0] + pen->model_view[4 + i] * (double)p[1] +
-                 pen->model_view[8 + i] * (double)p[2] + pen->model_view[12 + i];
-    for (i = 0; i < 4; ++i)
-        clip[i] = pen->projection[i] * eye[0] + pen->projection[4 + i] * eye[1] + pen->projection[8 + i] * eye[2] +
-                  pen->projection[12 + i] * eye[3];
+    vertex = pen->mesh->welded[vertex];
+    memcpy(place, pen->shape->position + 3 * (size_t)vertex, 3 * sizeof(float));
     return 1;
 }
 
-static void sil_i_pen_strip(sil_i_pen *pen, const sil_strip *strip, const uint32_t *vertices) {
-    double clip[2][4];
-    int known = 0;
+/* Clip coordinates of a strip's vertex, and its distance from the eye along the view. */
+static int sil_i_pen_project(const sil_i_pen *pen, size_t i, double clip[4], double *distance) {
+    float p[3];
+    double eye[4];
+    int k;
+    if (!sil_i_pen_place(pen, i, p))
+        return 0;
+    for (k = 0; k < 4; ++k)
+        eye[k] = pen->model_view[k] * (double)p[0] + pen->model_view[4 + k] * (double)p[1] +
+                 pen->model_view[8 + k] * (double)p[2] + pen->model_view[12 + k];
+    for (k = 0; k < 4; ++k)
+        clip[k] = pen->projection[k] * eye[0] + pen->projection[4 + k] * eye[1] + pen->projection[8 + k] * eye[2] +
+                  pen->projection[12 + k] * eye[3];
+    *distance = -eye[2];
+    return 1;
+}
+
+/* ---- ribbons: weights ---- */
+
+/* WEIGHT_LIGHT: by the way outward, to the right of the line's way through the vertices on both sides of this one. */
+static double sil_i_light_factor(const sil_i_pen *pen, size_t i) {
+    const sil_strip *strip = pen->strip;
+    const size_t last = strip->count - 1u;
+    const size_t before = i ? i - 1 : strip->closed ? last - (last > 0) : 0;
+    const size_t after = i < last ? i + 1 : strip->closed && last > 0 ? 1 : last;
+    double clip[4], p[2][2], dx, dy, length, unused;
+    int k;
+    if (!(strip->kinds & (SIL_SILHOUETTE | SIL_BOUNDARY)))
+        return sil_i_mix(pen->thin, pen->heavy, 0.5);
+    for (k = 0; k < 2; ++k) {
+        if (!sil_i_pen_project(pen, k ? after : before, clip, &unused) || !(clip[3] > 0))
+            return sil_i_mix(pen->thin, pen->heavy, 0.5);
+        sil_i_screen(pen, clip, &p[k][0], &p[k][1]);
+    }
+    dx = p[1][0] - p[0][0];
+    dy = p[1][1] - p[0][1];
+    length = sqrt(dx * dx + dy * dy);
+    if (!(length > 1e-6) || !(length < 1e30))
+        return sil_i_mix(pen->thin, pen->heavy, 0.5);
+    return sil_i_mix(pen->thin, pen->heavy, 0.5 - 0.5 * (dy * pen->light[0] - dx * pen->light[1]) / length);
+}
+
+static double sil_i_weight_factor(const sil_i_pen *pen, size_t i, double distance) {
+    double t;
+    switch (pen->desc->weight) {
+    case SIL_WEIGHT_THICK_THIN:
+        return pen->strip->kinds & (SIL_SILHOUETTE | SIL_BOUNDARY) ? pen->heavy : pen->thin;
+    case SIL_WEIGHT_PERSPECTIVE:
+        t = (distance - pen->reach[0]) / (pen->reach[1] - pen->reach[0]);
+        return sil_i_mix(pen->heavy, pen->thin, t > 0 ? t < 1 ? t : 1 : 0);
+    case SIL_WEIGHT_LIGHT:
+        return sil_i_light_factor(pen, i);
+    case SIL_WEIGHT_ONE:
+    case SIL_WEIGHT_OUTER: /* between vertices: sil_i_pen_outer */
+        break;
+    }
+    return 1;
+}
+
+static double sil_i_vertex_factor(const float *widths, size_t at) {
+    const float factor = widths ? widths[at] : 1.0f;
+    return sil_i_finite(factor) && factor > 0 ? (double)factor : 0;
+}
+
+static sil_i_stop sil_i_pen_stop(const sil_i_pen *pen, size_t i) {
+    const size_t at = (size_t)pen->strip->first + i;
+    sil_i_stop stop;
+    double distance = 0;
+    memset(&stop, 0, sizeof stop);
+    stop.known = sil_i_pen_project(pen, i, stop.clip, &distance);
+    if (!stop.known)
+        return stop;
+    stop.half = pen->half * sil_i_vertex_factor(pen->desc->widths, at) * sil_i_weight_factor(pen, i, distance);
+    stop.half = stop.half < 2048 ? stop.half : 2048;
+    if (pen->desc->along) {
+        stop.along = (double)pen->desc->along[at];
+        stop.known = sil_i_finite(pen->desc->along[at]);
+    }
+    return stop;
+}
+
+/* The length that tapers need before the first segment is drawn. */
+static void sil_i_pen_measure(sil_i_pen *pen) {
+    sil_i_stop stop[2];
+    sil_i_spot from, to;
+    double t[2];
     size_t i;
-    pen->kinds = strip->kinds;
+    stop[0] = sil_i_pen_stop(pen, 0);
+    for (i = 1; i < pen->strip->count; ++i) {
+        stop[i % 2] = sil_i_pen_stop(pen, i);
+        (void)sil_i_pen_reaches(pen, &stop[(i + 1) % 2], &stop[i % 2], t, &from, &to);
+    }
+    pen->length = pen->arc;
     pen->arc = 0;
+}
+
+/* The width of the strip's kind, and what follows from it for the widest place. */
+static void sil_i_pen_width(sil_i_pen *pen) {
+    const sil_ribbon_desc *desc = pen->desc;
+    double tolerance = desc->tolerance > 0 ? (double)desc->tolerance : 0.1;
+    double width = desc->width > 0 ? (double)desc->width : 1.5, widest = desc->widths ? 0 : 1, margin;
+    size_t i;
+    int k = 0;
+    while (k < 3 && !(pen->strip->kinds >> k & 1))
+        ++k;
+    if (desc->width_scale[k] > 0)
+        width *= (double)desc->width_scale[k];
+    width = width > 4096 ? 4096 : width;
+    pen->half = 0.5 * width;
+    for (i = 0; desc->widths && i < pen->strip->count; ++i)
+        widest = sil_i_larger(widest, sil_i_vertex_factor(desc->widths, pen->strip->first + i));
+    if (desc->weight != SIL_WEIGHT_ONE)
+        widest *= sil_i_larger(pen->heavy, pen->thin);
+    width *= widest;
+    width = width > 4096 ? 4096 : width;
+    tolerance = tolerance < 1.0 / 64 ? 1.0 / 64 : tolerance;
+    pen->step = tolerance < 0.145 * width ? 2 * acos(1 - tolerance / (0.5 * width)) : 0.5 * SIL_I_PI;
+    margin = width + 2;
+    pen->guard_x = 1 + 2 * margin / pen->width;
+    pen->guard_y = 1 + 2 * margin / pen->height;
+}
+
+static void sil_i_pen_strip(sil_i_pen *pen, size_t index) {
+    sil_i_stop stop[2];
+    size_t i;
+    sil_i_pen_width(pen);
+    pen->phase = pen->desc->phases && sil_i_finite(pen->desc->phases[index]) ? (double)pen->desc->phases[index] : 0;
+    pen->arc = pen->arc_turn = 0;
+    pen->level = -1;
     pen->down = pen->started = pen->dotted = pen->joins_start = 0;
-    for (i = 0; i < strip->count; ++i) {
-        const int before = known;
-        known = sil_i_project(pen, vertices[strip->first + i], clip[i % 2]);
-        if (known && before)
-            sil_i_pen_segment(pen, clip[(i + 1) % 2], clip[i % 2], strip->closed && i == 1);
-        else
-            sil_i_pen_lift(pen);
+    if (pen->desc->taper > 0 && !pen->strip->closed)
+        sil_i_pen_measure(pen);
+    stop[0] = sil_i_pen_stop(pen, 0);
+    for (i = 1; i < pen->strip->count; ++i) {
+        stop[i % 2] = sil_i_pen_stop(pen, i);
+        sil_i_pen_segment(pen, &stop[(i + 1) % 2], &stop[i % 2], pen->strip->closed && i == 1);
     }
     if (pen->joins_start && pen->down) {
+        pen->last.half = sil_i_larger(pen->last.half, pen->start.half);
         sil_i_pen_join(pen, &pen->last, pen->direction, pen->start_direction);
         return;
     }
@@ -5512,32 +5917,73 @@ static void sil_i_pen_strip(sil_i_pen *pen, const sil_strip *strip, const uint32
     if (pen->joins_start)
         sil_i_pen_cap(pen, &pen->start, -pen->start_direction[0], -pen->start_direction[1]);
     if (pen->dotted && !pen->started)
-        sil_i_pen_dot(pen);
+        sil_i_pen_dot(pen, &pen->dot, 1, 0);
 }
 
-/* Half the width of a kind of line, and what follows from it. */
-static void sil_i_pen_width(sil_i_pen *pen, const sil_ribbon_desc *desc, uint32_t kinds) {
-    double tolerance = desc->tolerance > 0 ? (double)desc->tolerance : 0.1;
-    double width = desc->width > 0 ? (double)desc->width : 1.5, margin;
-    int k = 0;
-    while (k < 3 && !(kinds >> k & 1))
-        ++k;
-    if (desc->width_scale[k] > 0)
-        width *= (double)desc->width_scale[k];
-    width = width > 4096 ? 4096 : width;
-    tolerance = tolerance < 1.0 / 64 ? 1.0 / 64 : tolerance;
-    pen->half = 0.5 * width;
-    pen->step = tolerance < 0.29 * pen->half ? 2 * acos(1 - tolerance / pen->half) : 0.5 * SIL_I_PI;
-    margin = width + 2;
-    pen->guard_x = 1 + 2 * margin / pen->width;
-    pen->guard_y = 1 + 2 * margin / pen->height;
+/* Distances along the view of the nearest and the farthest corner of the box around the mesh. */
+static void sil_i_pen_box(sil_i_pen *pen) {
+    int i, k;
+    for (i = 0; i < 8; ++i) {
+        double distance = -pen->model_view[14];
+        for (k = 0; k < 3; ++k)
+            distance -= pen->model_view[4 * k + 2] * (i >> k & 1 ? pen->shape->high[k] : pen->shape->low[k]);
+        pen->reach[0] = i && pen->reach[0] < distance ? pen->reach[0] : distance;
+        pen->reach[1] = i && pen->reach[1] > distance ? pen->reach[1] : distance;
+    }
+}
+
+static void sil_i_pen_weigh(sil_i_pen *pen) {
+    const sil_ribbon_desc *desc = pen->desc;
+    double eye[4], length;
+    pen->heavy = desc->heavy > 0 ? (double)desc->heavy : 2;
+    pen->thin = desc->thin > 0 ? (double)desc->thin : 1;
+    sil_i_widen(desc->reach, pen->reach, 2);
+    if (pen->shape && !(sil_i_abs(pen->reach[0]) > 0) && !(sil_i_abs(pen->reach[1]) > 0))
+        sil_i_pen_box(pen);
+    sil_i_widen(desc->light, pen->light, 2);
+    length = sqrt(pen->light[0] * pen->light[0] + pen->light[1] * pen->light[1]);
+    if (!(length > 0)) {
+        pen->light[0] = -1;
+        pen->light[1] = 1;
+        length = sqrt(2.0);
+    }
+    if (sil_i_eye_point(pen->model_view, pen->projection, eye))
+        length = -length;
+    pen->light[0] /= length;
+    pen->light[1] /= length;
+}
+
+static int sil_i_image_ok(const sil_image *image) {
+    return image && (image->depth || image->ids) && image->width && image->height &&
+           (!image->stride || image->stride >= image->width);
 }
 
 static int sil_i_ribbon_desc_ok(const sil_ribbon_desc *desc) {
     return sil_i_all_finite(desc->model_view, 16) && sil_i_all_finite(desc->projection, 16) &&
            sil_i_finite(desc->viewport_width) && sil_i_finite(desc->viewport_height) && sil_i_finite(desc->width) &&
            sil_i_finite(desc->tolerance) && sil_i_all_finite(desc->width_scale, 4) && desc->viewport_width > 0 &&
-           desc->viewport_height > 0;
+           desc->viewport_height > 0 && sil_i_finite(desc->heavy) && sil_i_finite(desc->thin) &&
+           sil_i_all_finite(desc->light, 2) && sil_i_all_finite(desc->reach, 2) && sil_i_finite(desc->taper) &&
+           (desc->weight != SIL_WEIGHT_OUTER || sil_i_image_ok(desc->image)) &&
+           (!desc->point_stride || desc->point_stride >= 3 * sizeof(float));
+}
+
+/* Adds the lengths up. Whether they make sense: an even number, none negative, together neither 0 nor infinite. */
+static int sil_i_read_dashes(const sil_ribbon_desc *desc, double *end, size_t *count) {
+    double sum = 0;
+    size_t i;
+    *count = 0;
+    if (!desc->dashes)
+        return 1;
+    if (!desc->dash_count || desc->dash_count % 2 || desc->dash_count > SIL_I_DASHES)
+        return 0;
+    for (i = 0; i < desc->dash_count; ++i) {
+        if (!sil_i_finite(desc->dashes[i]) || desc->dashes[i] < 0)
+            return 0;
+        end[i] = sum += (double)desc->dashes[i];
+    }
+    *count = desc->dash_count;
+    return sum > 0;
 }
 
 SIL_DEF size_t sil_ribbons(const sil_mesh *mesh, const sil_pose *pose, const sil_strip *strips, size_t strip_count,
@@ -5545,23 +5991,28 @@ SIL_DEF size_t sil_ribbons(const sil_mesh *mesh, const sil_pose *pose, const sil
                            size_t capacity) {
     sil_i_pen pen;
     size_t i;
-    if (!mesh || (pose && pose->mesh != mesh) || !strips || !vertices || !desc || !sil_i_ribbon_desc_ok(desc))
+    if ((pose && pose->mesh != mesh) || !strips || !desc || !sil_i_ribbon_desc_ok(desc) ||
+        (!desc->points && (!mesh || !vertices)))
         return 0;
     memset(&pen, 0, sizeof pen);
+    if (!sil_i_read_dashes(desc, pen.dash_end, &pen.dash_count))
+        return 0;
     pen.mesh = mesh;
-    pen.shape = sil_i_shape_of(mesh, pose);
+    pen.shape = mesh ? sil_i_shape_of(mesh, pose) : NULL;
+    pen.desc = desc;
     sil_i_widen(desc->model_view, pen.model_view, 16);
     sil_i_widen(desc->projection, pen.projection, 16);
     pen.width = (double)desc->viewport_width;
     pen.height = (double)desc->viewport_height;
     pen.low = desc->flags & SIL_RIBBON_ZERO_TO_ONE ? 0 : -1;
-    pen.cap = desc->cap;
-    pen.join = desc->join;
+    pen.vertices = vertices;
     pen.out = out;
     pen.capacity = capacity;
+    sil_i_pen_weigh(&pen);
     for (i = 0; i < strip_count; ++i) {
-        sil_i_pen_width(&pen, desc, strips[i].kinds);
-        sil_i_pen_strip(&pen, &strips[i], vertices);
+        pen.strip = &strips[i];
+        if (strips[i].count)
+            sil_i_pen_strip(&pen, i);
     }
     return pen.count;
 }
