@@ -381,6 +381,23 @@ SIL_DEF size_t sil_chain(const sil_mesh *mesh, sil_pose *pose, const sil_edge *e
                          sil_strip *strips, size_t strip_capacity, uint32_t *vertices, size_t vertex_capacity,
                          size_t *vertices_needed);
 
+enum { SIL_CHAIN_NO_CONCAVE = 1 }; /* flag: silhouettes that are concave are left out; they are never visible */
+
+typedef struct sil_chain_desc {
+    float corner_degrees; /* strips end where they turn by more than this; 0: nowhere */
+    float matrix[16]; /* turns are those after it. Without a viewport: affine, a model matrix for turns in the world;
+                             all zero: the mesh's own coordinates */
+    float viewport_width, viewport_height; /* > 0: matrix is projection * model_view, turns are those on the screen */
+    unsigned flags;
+} sil_chain_desc;
+
+/* sil_chain with corners: where dashes and tapers begin anew, and where a line that doubles back is cut. Every other
+   property stays, ids too. desc NULL: sil_chain. A desc that is not finite has no corners. On the screen a vertex that
+   is not before the eye is no corner; nor is one where an edge has no length. */
+SIL_DEF size_t sil_chain_corners(const sil_mesh *mesh, sil_pose *pose, const sil_chain_desc *desc,
+                                 const sil_edge *edges, size_t edge_count, sil_strip *strips, size_t strip_capacity,
+                                 uint32_t *vertices, size_t vertex_capacity, size_t *vertices_needed);
+
 enum { SIL_DISTANCE_INFINITE_LINE = 1 }; /* to the endless line through each edge (Diepstraten 2002), not to the edge */
 
 typedef struct sil_distance_desc {
@@ -498,6 +515,25 @@ typedef struct sil_ribbon_desc {
 SIL_DEF size_t sil_ribbons(const sil_mesh *mesh, const sil_pose *pose, const sil_strip *strips, size_t strip_count,
                            const uint32_t *vertices, const sil_ribbon_desc *desc, sil_ribbon_vertex *out,
                            size_t capacity);
+
+/* Dashes that stay where they are while the contour moves. Arc length has no fixed origin on a silhouette: strips begin
+   elsewhere, join and part from frame to frame, and dashes counted from their begin jump. A sil_dashes remembers where
+   in the dashes each place of the lines was; in the next frame each strip vertex takes over what the nearest line of
+   the same kinds had, where that line's places in the mesh are now seen. Toward even dashes it then moves by no more
+   than half of what the contour moved there on the screen, so that a dash slides less than the contour under it, and
+   not at all in a still picture. One for each mesh instance. */
+typedef struct sil_dashes sil_dashes;
+SIL_DEF sil_dashes *sil_dashes_create(const sil_allocator *allocator, sil_result *result); /* NULL: malloc, free */
+SIL_DEF void sil_dashes_destroy(sil_dashes *dashes);                                       /* NULL is fine */
+SIL_DEF void sil_dashes_forget(sil_dashes *dashes); /* as if new: after a jump of the camera */
+/* Fills `along` for sil_ribbons, as many floats as `vertices` (or, with points and no vertices, as the strips' ranges
+   go): the arguments are those of sil_ribbons, with the dashes in desc; desc.along and desc.phases are not read. Once a
+   frame. Lines that were not there before begin anew, and so does a strip whose dashes would be stretched or squeezed
+   by more than half. Memory only ever grows. SIL_INVALID_ARGUMENT (as where sil_ribbons draws nothing, or without
+   dashes), SIL_OUT_OF_MEMORY: `along` is then of no use. */
+SIL_DEF sil_result sil_dashes_follow(sil_dashes *dashes, const sil_mesh *mesh, const sil_pose *pose,
+                                     const sil_strip *strips, size_t strip_count, const uint32_t *vertices,
+                                     const sil_ribbon_desc *desc, float *along);
 
 #ifdef __cplusplus
 }
@@ -4116,10 +4152,11 @@ SIL_DEF size_t sil_extract(const sil_mesh *mesh, sil_pose *pose, const sil_view 
 typedef struct sil_i_chains {
     const sil_mesh *mesh;
     const sil_edge *edges;
-    size_t count;    /* edges without repetition */
-    uint64_t *keys;  /* (edge << 32 | index), then (vertex << 32 | end) */
-    uint32_t *order; /* place -> index in edges */
-    uint32_t *table; /* edge -> place, open-addressed */
+    size_t count;     /* edges without repetition */
+    uint32_t without; /* edges of all these kinds are left out */
+    uint64_t *keys;   /* (edge << 32 | index), then (vertex << 32 | end) */
+    uint32_t *order;  /* place -> index in edges */
+    uint32_t *table;  /* edge -> place, open-addressed */
     size_t table_size;
     uint32_t *link; /* end -> the end that it goes on with, or SIL_NONE */
     unsigned char *done;
@@ -4191,7 +4228,7 @@ static void sil_i_chains_begin(sil_i_chains *c, size_t count, void *memory) {
     c->link = c->order + count;
     c->done = (unsigned char *)(void *)(c->link + 2 * count);
     for (i = 0, at = 0; i < count; ++i)
-        if (c->edges[i].edge < c->mesh->edge_count)
+        if (c->edges[i].edge < c->mesh->edge_count && (c->edges[i].kinds & c->without) != c->without)
             c->keys[at++] = (uint64_t)c->edges[i].edge << 32 | i;
     sil_i_sort_keys(c->keys, at);
     for (i = 0, c->count = 0; i < at; ++i)
@@ -4360,9 +4397,84 @@ static void sil_i_write_strip(const sil_i_chains *c, sil_i_strip_out *out, uint3
     ++out->strip_count;
 }
 
-SIL_DEF size_t sil_chain(const sil_mesh *mesh, sil_pose *pose, const sil_edge *edges, size_t edge_count,
-                         sil_strip *strips, size_t strip_capacity, uint32_t *vertices, size_t vertex_capacity,
-                         size_t *vertices_needed) {
+/* ---- corners of chains ---- */
+
+typedef struct sil_i_corners {
+    const sil_i_shape *shape;
+    double matrix[16], width, height; /* width 0: not on the screen */
+    double limit;                     /* radians */
+} sil_i_corners;
+
+/* Where a welded vertex is for the measure of turns; 0 where it has no place. */
+static int sil_i_corner_place(const sil_i_corners *corners, uint32_t vertex, double place[3]) {
+    const float *p = corners->shape->position + 3 * (size_t)vertex;
+    const double *m = corners->matrix;
+    double out[4];
+    int k;
+    for (k = 0; k < 4; ++k)
+        out[k] = m[k] * (double)p[0] + m[4 + k] * (double)p[1] + m[8 + k] * (double)p[2] + m[12 + k];
+    memcpy(place, out, 3 * sizeof *place);
+    if (!(corners->width > 0))
+        return !corners->shape->bad[vertex];
+    place[0] = 0.5 * corners->width * out[0] / out[3];
+    place[1] = 0.5 * corners->height * out[1] / out[3];
+    place[2] = 0;
+    return out[3] > 0 && !corners->shape->bad[vertex];
+}
+
+/* The angle by which a line turns at p[1] on its way from p[0] to p[2]; 0 where it has no direction. Its tangent, not
+   its cosine, is precise for small angles. */
+static double sil_i_turning(double p[3][3]) {
+    double u[3], v[3], c[3], dot = 0;
+    int k;
+    for (k = 0; k < 3; ++k) {
+        u[k] = p[1][k] - p[0][k];
+        v[k] = p[2][k] - p[1][k];
+        dot += u[k] * v[k];
+    }
+    for (k = 0; k < 3; ++k)
+        c[k] = u[(k + 1) % 3] * v[(k + 2) % 3] - u[(k + 2) % 3] * v[(k + 1) % 3];
+    return atan2(sqrt(c[0] * c[0] + c[1] * c[1] + c[2] * c[2]), dot);
+}
+
+static void sil_i_unlink_corners(const sil_i_chains *c, const sil_i_corners *corners) {
+    double p[3][3];
+    uint32_t end;
+    for (end = 0; end < 2 * c->count; ++end) {
+        const uint32_t other = c->link[end];
+        if (other == SIL_NONE || other < end)
+            continue;
+        if (sil_i_corner_place(corners, sil_i_end_vertex(c, end ^ 1u), p[0]) &&
+            sil_i_corner_place(corners, sil_i_end_vertex(c, end), p[1]) &&
+            sil_i_corner_place(corners, sil_i_end_vertex(c, other ^ 1u), p[2]) && sil_i_turning(p) > corners->limit)
+            c->link[end] = c->link[other] = SIL_NONE;
+    }
+}
+
+static void sil_i_cut_corners(const sil_i_chains *c, const sil_pose *pose, const sil_chain_desc *desc) {
+    sil_i_corners corners;
+    int i, given = 0;
+    if (!(desc->corner_degrees > 0) || !sil_i_finite(desc->corner_degrees) || !sil_i_all_finite(desc->matrix, 16) ||
+        !sil_i_finite(desc->viewport_width) || !sil_i_finite(desc->viewport_height))
+        return;
+    memset(&corners, 0, sizeof corners);
+    corners.shape = sil_i_shape_of(c->mesh, pose);
+    corners.limit = (double)desc->corner_degrees * (SIL_I_PI / 180);
+    sil_i_widen(desc->matrix, corners.matrix, 16);
+    for (i = 0; i < 16; ++i)
+        given |= sil_i_abs(corners.matrix[i]) > 0;
+    for (i = 0; !given && i < 4; ++i)
+        corners.matrix[5 * i] = 1;
+    if (desc->viewport_width > 0 && desc->viewport_height > 0) {
+        corners.width = (double)desc->viewport_width;
+        corners.height = (double)desc->viewport_height;
+    }
+    sil_i_unlink_corners(c, &corners);
+}
+
+SIL_DEF size_t sil_chain_corners(const sil_mesh *mesh, sil_pose *pose, const sil_chain_desc *desc,
+                                 const sil_edge *edges, size_t edge_count, sil_strip *strips, size_t strip_capacity,
+                                 uint32_t *vertices, size_t vertex_capacity, size_t *vertices_needed) {
     sil_i_chains c;
     sil_i_strip_out out;
     void *memory;
@@ -4385,9 +4497,12 @@ SIL_DEF size_t sil_chain(const sil_mesh *mesh, sil_pose *pose, const sil_edge *e
     memset(&c, 0, sizeof c);
     c.mesh = mesh;
     c.edges = edges;
+    c.without = desc && desc->flags & SIL_CHAIN_NO_CONCAVE ? SIL_SILHOUETTE | SIL_CONCAVE : SIL_NONE;
     sil_i_chains_begin(&c, edge_count, memory);
     sil_i_link_turns(&c);
     sil_i_link_pairs(&c);
+    if (desc)
+        sil_i_cut_corners(&c, pose, desc);
     for (i = 0; i < c.count; ++i)
         if (!c.done[i])
             sil_i_write_strip(&c, &out, i);
@@ -4396,6 +4511,13 @@ SIL_DEF size_t sil_chain(const sil_mesh *mesh, sil_pose *pose, const sil_edge *e
     if (vertices_needed)
         *vertices_needed = out.vertex_count;
     return out.strip_count;
+}
+
+SIL_DEF size_t sil_chain(const sil_mesh *mesh, sil_pose *pose, const sil_edge *edges, size_t edge_count,
+                         sil_strip *strips, size_t strip_capacity, uint32_t *vertices, size_t vertex_capacity,
+                         size_t *vertices_needed) {
+    return sil_chain_corners(mesh, pose, NULL, edges, edge_count, strips, strip_capacity, vertices, vertex_capacity,
+                             vertices_needed);
 }
 
 /* ---- distances ---- */
@@ -5771,20 +5893,25 @@ static int sil_i_pen_place(const sil_i_pen *pen, size_t i, float place[3]) {
     return 1;
 }
 
-/* Clip coordinates of a strip's vertex, and its distance from the eye along the view. */
-static int sil_i_pen_project(const sil_i_pen *pen, size_t i, double clip[4], double *distance) {
-    float p[3];
+/* Clip coordinates of a place. Returns its distance from the eye along the view. */
+static double sil_i_to_clip(const sil_i_pen *pen, const float p[3], double clip[4]) {
     double eye[4];
     int k;
-    if (!sil_i_pen_place(pen, i, p))
-        return 0;
     for (k = 0; k < 4; ++k)
         eye[k] = pen->model_view[k] * (double)p[0] + pen->model_view[4 + k] * (double)p[1] +
                  pen->model_view[8 + k] * (double)p[2] + pen->model_view[12 + k];
     for (k = 0; k < 4; ++k)
         clip[k] = pen->projection[k] * eye[0] + pen->projection[4 + k] * eye[1] + pen->projection[8 + k] * eye[2] +
                   pen->projection[12 + k] * eye[3];
-    *distance = -eye[2];
+    return -eye[2];
+}
+
+/* Clip coordinates of a strip's vertex, and its distance from the eye along the view. */
+static int sil_i_pen_project(const sil_i_pen *pen, size_t i, double clip[4], double *distance) {
+    float p[3];
+    if (!sil_i_pen_place(pen, i, p))
+        return 0;
+    *distance = sil_i_to_clip(pen, p, clip);
     return 1;
 }
 
@@ -5986,35 +6113,477 @@ static int sil_i_read_dashes(const sil_ribbon_desc *desc, double *end, size_t *c
     return sum > 0;
 }
 
+/* What all strips of a call have in common. 0 where the arguments make no sense. */
+static int sil_i_pen_make(sil_i_pen *pen, const sil_mesh *mesh, const sil_pose *pose, const sil_strip *strips,
+                          const uint32_t *vertices, const sil_ribbon_desc *desc) {
+    memset(pen, 0, sizeof *pen);
+    if ((pose && pose->mesh != mesh) || !strips || !desc || !sil_i_ribbon_desc_ok(desc) ||
+        (!desc->points && (!mesh || !vertices)) || !sil_i_read_dashes(desc, pen->dash_end, &pen->dash_count))
+        return 0;
+    pen->mesh = mesh;
+    pen->shape = mesh ? sil_i_shape_of(mesh, pose) : NULL;
+    pen->desc = desc;
+    sil_i_widen(desc->model_view, pen->model_view, 16);
+    sil_i_widen(desc->projection, pen->projection, 16);
+    pen->width = (double)desc->viewport_width;
+    pen->height = (double)desc->viewport_height;
+    pen->low = desc->flags & SIL_RIBBON_ZERO_TO_ONE ? 0 : -1;
+    pen->vertices = vertices;
+    sil_i_pen_weigh(pen);
+    return 1;
+}
+
 SIL_DEF size_t sil_ribbons(const sil_mesh *mesh, const sil_pose *pose, const sil_strip *strips, size_t strip_count,
                            const uint32_t *vertices, const sil_ribbon_desc *desc, sil_ribbon_vertex *out,
                            size_t capacity) {
     sil_i_pen pen;
     size_t i;
-    if ((pose && pose->mesh != mesh) || !strips || !desc || !sil_i_ribbon_desc_ok(desc) ||
-        (!desc->points && (!mesh || !vertices)))
+    if (!sil_i_pen_make(&pen, mesh, pose, strips, vertices, desc))
         return 0;
-    memset(&pen, 0, sizeof pen);
-    if (!sil_i_read_dashes(desc, pen.dash_end, &pen.dash_count))
-        return 0;
-    pen.mesh = mesh;
-    pen.shape = mesh ? sil_i_shape_of(mesh, pose) : NULL;
-    pen.desc = desc;
-    sil_i_widen(desc->model_view, pen.model_view, 16);
-    sil_i_widen(desc->projection, pen.projection, 16);
-    pen.width = (double)desc->viewport_width;
-    pen.height = (double)desc->viewport_height;
-    pen.low = desc->flags & SIL_RIBBON_ZERO_TO_ONE ? 0 : -1;
-    pen.vertices = vertices;
     pen.out = out;
     pen.capacity = capacity;
-    sil_i_pen_weigh(&pen);
     for (i = 0; i < strip_count; ++i) {
         pen.strip = &strips[i];
         if (strips[i].count)
             sil_i_pen_strip(&pen, i);
     }
     return pen.count;
+}
+
+/* ---- dashes that stay ---- */
+
+#define SIL_I_MARK_NEAR 4.0   /* pixels: closer vertices have no mark of their own */
+#define SIL_I_MARK_FAR 8.0    /* pixels: longer segments have marks in between */
+#define SIL_I_MARK_CELL 16.0  /* pixels: the grid in which marks are found */
+#define SIL_I_MARK_REACH 12.0 /* pixels: what is farther from where it was expected is another line */
+#define SIL_I_MARK_LEAVE 3.0  /* pixels: a line is left for another only where that is closer by this */
+#define SIL_I_MARK_SLIDE 0.5  /* of the contour's motion: how far dashes may move toward being even */
+
+/* A place on a line of the last frame. */
+typedef struct sil_i_mark {
+    float place[3];      /* in the mesh or among the points */
+    double x, y;         /* where it was on the screen */
+    double now_x, now_y; /* where that place is seen in this frame */
+    double along;
+    uint32_t kinds, strip;
+    uint32_t next; /* in the same cell of the grid */
+    int joined;    /* the next mark is on the same line */
+    int seen;      /* now_x and now_y are on the screen or near it */
+} sil_i_mark;
+
+/* What is known of a strip's vertex in this frame. */
+typedef struct sil_i_bead {
+    double x, y, arc;
+    double offset;  /* along - way * arc */
+    uint32_t strip; /* of the last frame, that it was found on */
+    double motion;  /* of the contour since the last frame, pixels */
+    int seen, found;
+} sil_i_bead;
+
+struct sil_dashes {
+    sil_allocator allocator;
+    sil_i_mark *mark, *fresh; /* of the last frame, of this one */
+    size_t mark_count, mark_capacity, fresh_count, fresh_capacity;
+    uint32_t *head; /* of the lists of marks, by a cell's hash */
+    size_t head_count, head_capacity;
+    uint32_t strip;   /* that is being followed */
+    sil_i_bead *bead; /* its vertices */
+    size_t bead_capacity;
+};
+
+SIL_DEF sil_dashes *sil_dashes_create(const sil_allocator *allocator, sil_result *result) {
+    sil_allocator used;
+    sil_dashes *dashes = NULL;
+    memset(&used, 0, sizeof used);
+    if (allocator)
+        used = *allocator;
+    if (!used.alloc_fn && !used.free_fn) {
+        used.alloc_fn = sil_i_default_alloc;
+        used.free_fn = sil_i_default_free;
+    }
+    if (used.alloc_fn && used.free_fn)
+        dashes = (sil_dashes *)used.alloc_fn(sizeof *dashes, used.user);
+    if (result)
+        *result = dashes ? SIL_OK : used.alloc_fn && used.free_fn ? SIL_OUT_OF_MEMORY : SIL_INVALID_ARGUMENT;
+    if (dashes) {
+        memset(dashes, 0, sizeof *dashes);
+        dashes->allocator = used;
+    }
+    return dashes;
+}
+
+SIL_DEF void sil_dashes_destroy(sil_dashes *dashes) {
+    sil_allocator allocator;
+    if (!dashes)
+        return;
+    allocator = dashes->allocator;
+    sil_i_give(&allocator, dashes->mark);
+    sil_i_give(&allocator, dashes->fresh);
+    sil_i_give(&allocator, dashes->head);
+    sil_i_give(&allocator, dashes->bead);
+    sil_i_give(&allocator, dashes);
+}
+
+SIL_DEF void sil_dashes_forget(sil_dashes *dashes) {
+    if (dashes)
+        dashes->mark_count = 0;
+}
+
+/* An array with room for `wanted` elements, twice as many as before; its first `keep` bytes stay. NULL: no memory, and
+   the array is as it was. */
+static void *sil_i_grown(const sil_allocator *allocator, void *array, size_t *capacity, size_t wanted, size_t size,
+                         size_t keep) {
+    void *memory;
+    size_t room = *capacity * 2 > wanted ? *capacity * 2 : wanted;
+    if (*capacity >= wanted && array)
+        return array;
+    if (room > (size_t)-1 / size)
+        return NULL;
+    memory = allocator->alloc_fn(room * size, allocator->user);
+    if (!memory)
+        return NULL;
+    if (keep)
+        memcpy(memory, array, keep);
+    sil_i_give(allocator, array);
+    *capacity = room;
+    return memory;
+}
+
+static size_t sil_i_mark_cell(const sil_dashes *dashes, double x, double y, int right, int up) {
+    const uint32_t column = (uint32_t)(int32_t)floor(x / SIL_I_MARK_CELL) + (uint32_t)right;
+    const uint32_t row = (uint32_t)(int32_t)floor(y / SIL_I_MARK_CELL) + (uint32_t)up;
+    return sil_i_hash(column, row, 0) & (dashes->head_count - 1);
+}
+
+/* On the screen, or a little beside it. */
+static int sil_i_is_seen(const sil_i_pen *pen, const double clip[4], double *x, double *y) {
+    const double margin = 64;
+    if (!(clip[3] > 0))
+        return 0;
+    sil_i_screen(pen, clip, x, y);
+    return *x > -margin && *x<pen->width + margin && * y> - margin && *y < pen->height + margin && *x < 1e9 && *y < 1e9;
+}
+
+/* Puts the marks of the last frame where their places are seen now. */
+static void sil_i_marks_place(sil_dashes *dashes, const sil_i_pen *pen) {
+    double clip[4];
+    size_t i;
+    memset(dashes->head, 0xff, dashes->head_count * sizeof *dashes->head);
+    for (i = 0; i < dashes->mark_count; ++i) {
+        sil_i_mark *mark = &dashes->mark[i];
+        (void)sil_i_to_clip(pen, mark->place, clip);
+        mark->seen = sil_i_is_seen(pen, clip, &mark->now_x, &mark->now_y);
+        if (mark->seen) {
+            uint32_t *head = &dashes->head[sil_i_mark_cell(dashes, mark->now_x, mark->now_y, 0, 0)];
+            mark->next = *head;
+            *head = (uint32_t)i;
+        }
+    }
+}
+
+/* The nearest place of the last frame's lines. */
+typedef struct sil_i_match {
+    double distance;   /* pixels, with what is added to lines other than that which is followed; at first the reach */
+    double along, way; /* there; way: 1 where the dashes run as the strip does, else -1 */
+    double x, y;       /* where it was on the screen */
+    uint32_t mark;     /* of equally near ones the first */
+} sil_i_match;
+
+/* Does the line that goes on from one mark continue what the vertex before followed? A loop's begin does not continue
+   its end. */
+static int sil_i_continues(const sil_i_mark *mark, const sil_i_match *before, double step, double period) {
+    return mark->strip == before->mark && sil_i_abs(mark->along - before->along) <= 2 * (step + period);
+}
+
+/* Tries the line from one mark to the next, for a line of direction d at x, y. */
+static void sil_i_match_try(const sil_dashes *dashes, uint32_t i, const sil_i_bead *bead, const double d[2],
+                            int continues, sil_i_match *match) {
+    const sil_i_mark *a = &dashes->mark[i], *b = a->joined ? a + 1 : a;
+    const double ex = b->now_x - a->now_x, ey = b->now_y - a->now_y, square = ex * ex + ey * ey;
+    double t, dx, dy, turn, distance;
+    if (!b->seen || !(square > 0))
+        return;
+    t = ((bead->x - a->now_x) * ex + (bead->y - a->now_y) * ey) / square;
+    t = t < 0 ? 0 : t > 1 ? 1 : t;
+    dx = bead->x - sil_i_mix(a->now_x, b->now_x, t);
+    dy = bead->y - sil_i_mix(a->now_y, b->now_y, t);
+    turn = (ex * d[0] + ey * d[1]) / sqrt(square);
+    distance = sqrt(dx * dx + dy * dy) + (continues ? 0 : SIL_I_MARK_LEAVE);
+    if (sil_i_abs(turn) < 0.5 || distance > match->distance || (!(distance < match->distance) && i >= match->mark))
+        return;
+    match->distance = distance;
+    match->along = sil_i_mix(a->along, b->along, t);
+    match->way = (turn > 0) == (b->along >= a->along) ? 1 : -1;
+    match->x = sil_i_mix(a->x, b->x, t);
+    match->y = sil_i_mix(a->y, b->y, t);
+    match->mark = i;
+}
+
+/* before: what the vertex before followed, with its strip for a mark; `step` pixels back. */
+static int sil_i_match_find(const sil_dashes *dashes, const sil_i_pen *pen, const sil_i_bead *bead, const double d[2],
+                            const sil_i_match *before, double step, sil_i_match *match) {
+    const double period = pen->dash_end[pen->dash_count - 1];
+    int right, up;
+    memset(match, 0, sizeof *match);
+    match->distance = SIL_I_MARK_REACH;
+    match->mark = SIL_NONE;
+    for (up = -1; up <= 1; ++up)
+        for (right = -1; right <= 1; ++right) {
+            uint32_t i = dashes->head[sil_i_mark_cell(dashes, bead->x, bead->y, right, up)];
+            for (; i != SIL_NONE; i = dashes->mark[i].next)
+                if (dashes->mark[i].kinds == pen->strip->kinds)
+                    sil_i_match_try(dashes, i, bead, d, sil_i_continues(&dashes->mark[i], before, step, period), match);
+        }
+    return match->mark != SIL_NONE;
+}
+
+/* Where the strip's vertices are on the screen, and arcs between them. */
+static void sil_i_beads_place(const sil_i_pen *pen, sil_i_bead *bead) {
+    double clip[2][4], t[2], part, unused;
+    int known[2];
+    size_t i;
+    for (i = 0; i < pen->strip->count; ++i) {
+        sil_i_bead *b = &bead[i];
+        memset(b, 0, sizeof *b);
+        known[i % 2] = sil_i_pen_project(pen, i, clip[i % 2], &unused);
+        b->seen = known[i % 2] && sil_i_is_seen(pen, clip[i % 2], &b->x, &b->y);
+        if (i == 0)
+            continue;
+        b->arc = bead[i - 1].arc;
+        t[0] = 0;
+        t[1] = 1;
+        if (known[0] && known[1] && sil_i_cut_depth(pen, clip[(i + 1) % 2], clip[i % 2], t)) {
+            double x[2], y[2], at[4];
+            int k, e;
+            for (e = 0; e < 2; ++e) {
+                for (k = 0; k < 4; ++k)
+                    at[k] = sil_i_mix(clip[(i + 1) % 2][k], clip[i % 2][k], t[e]);
+                sil_i_screen(pen, at, &x[e], &y[e]);
+            }
+            part = t[1] - t[0] > 1e-3 ? t[1] - t[0] : 1e-3; /* what lies behind the eye is as what lies before it */
+            b->arc += sqrt((x[1] - x[0]) * (x[1] - x[0]) + (y[1] - y[0]) * (y[1] - y[0])) / part;
+        }
+    }
+}
+
+/* The direction of a strip at a vertex, from its neighbours. 0 where it has none. */
+static int sil_i_bead_direction(const sil_i_pen *pen, const sil_i_bead *bead, size_t i, double d[2]) {
+    const size_t last = pen->strip->count - 1u;
+    const sil_i_bead *a = &bead[i ? i - 1 : 0], *b = &bead[i < last ? i + 1 : last];
+    double length;
+    a = a->seen ? a : &bead[i];
+    b = b->seen ? b : &bead[i];
+    d[0] = b->x - a->x;
+    d[1] = b->y - a->y;
+    length = sqrt(d[0] * d[0] + d[1] * d[1]);
+    if (!(length > 1e-6))
+        return 0;
+    d[0] /= length;
+    d[1] /= length;
+    return 1;
+}
+
+/* Takes over what is found of the last frame; offset is where in the dashes it was. Returns how many more vertices
+   found that the dashes run as the strip does than against it. */
+static double sil_i_beads_match(const sil_dashes *dashes, const sil_i_pen *pen, sil_i_bead *bead) {
+    double votes = 0, arc = 0, d[2];
+    sil_i_match match, before;
+    size_t i;
+    memset(&before, 0, sizeof before);
+    before.mark = SIL_NONE;
+    for (i = 0; i < pen->strip->count; ++i) {
+        sil_i_bead *b = &bead[i];
+        if (!b->seen || !sil_i_bead_direction(pen, bead, i, d) ||
+            !sil_i_match_find(dashes, pen, b, d, &before, b->arc - arc, &match))
+            continue;
+        before = match;
+        before.mark = b->strip = dashes->mark[match.mark].strip;
+        arc = b->arc;
+        b->found = 1;
+        b->offset = match.along;
+        b->motion = sqrt((b->x - match.x) * (b->x - match.x) + (b->y - match.y) * (b->y - match.y));
+        votes += match.way;
+    }
+    return votes;
+}
+
+/* From what was found along the strip to offsets. Where the line of the last frame goes on, so do they; from one line
+   to another, and where a loop closed, they differ by as little as whole periods allow. */
+static int sil_i_beads_unwrap(const sil_i_pen *pen, sil_i_bead *bead, double way) {
+    const double period = pen->dash_end[pen->dash_count - 1];
+    double found = 0, before = 0;
+    uint32_t strip = SIL_NONE;
+    size_t i;
+    for (i = 0; i < pen->strip->count; ++i) {
+        sil_i_bead *b = &bead[i];
+        double step;
+        if (!b->found)
+            continue;
+        step = b->offset - way * b->arc - found;
+        found += step;
+        if (b->strip != strip || sil_i_abs(step) > 2 * period)
+            step -= period * floor(step / period + (strip == SIL_NONE ? 0 : 0.5));
+        b->offset = before += step;
+        strip = b->strip;
+    }
+    return strip != SIL_NONE;
+}
+
+/* Moves offsets toward their mean, as far as the contour's motion covers it. Vertices without one take their
+   neighbour's. */
+static void sil_i_beads_even(const sil_i_pen *pen, sil_i_bead *bead) {
+    const size_t count = pen->strip->count;
+    const double period = pen->dash_end[pen->dash_count - 1];
+    double sum = 0, least = 0, most = 0, mean, last;
+    size_t i, found = 0;
+    for (i = 0; i < count; ++i)
+        if (bead[i].found) {
+            sum += bead[i].offset;
+            least = !found || bead[i].offset < least ? bead[i].offset : least;
+            most = !found || bead[i].offset > most ? bead[i].offset : most;
+            ++found;
+        }
+    mean = sum / (double)found;
+    last = mean;
+    for (i = 0; i < count; ++i)
+        if (bead[i].found) {
+            const double slide = SIL_I_MARK_SLIDE * bead[i].motion, wanted = mean - bead[i].offset;
+            bead[i].offset += wanted > slide ? slide : wanted < -slide ? -slide : wanted;
+            if (most - least > 0.5 * bead[count - 1].arc + period) /* stretched too far: anew */
+                bead[i].offset = mean;
+        }
+    for (i = count; i-- > 0;)
+        last = bead[i].found ? bead[i].offset : last; /* the first one found */
+    for (i = 0; i < count; ++i) {
+        last = bead[i].found ? bead[i].offset : last;
+        bead[i].offset = last;
+    }
+}
+
+/* Leaves a mark at t of the segment that ends at vertex i. */
+static int sil_i_mark_leave(sil_dashes *dashes, const sil_i_pen *pen, const float *along, size_t i, double t,
+                            double s) {
+    float a[3], b[3];
+    double clip[4];
+    sil_i_mark *mark;
+    int k;
+    mark = (sil_i_mark *)sil_i_grown(&dashes->allocator, dashes->fresh, &dashes->fresh_capacity,
+                                     dashes->fresh_count + 1, sizeof *mark, dashes->fresh_count * sizeof *mark);
+    if (!mark)
+        return 0;
+    dashes->fresh = mark;
+    mark += dashes->fresh_count;
+    memset(mark, 0, sizeof *mark);
+    if (!sil_i_pen_place(pen, i - 1, a) || !sil_i_pen_place(pen, i, b))
+        return 1;
+    for (k = 0; k < 3; ++k)
+        mark->place[k] = (float)sil_i_mix((double)a[k], (double)b[k], t);
+    (void)sil_i_to_clip(pen, mark->place, clip);
+    mark->kinds = pen->strip->kinds;
+    mark->strip = dashes->strip;
+    mark->along = sil_i_mix((double)along[i - 1], (double)along[i], s);
+    if (sil_i_is_seen(pen, clip, &mark->x, &mark->y)) {
+        mark->joined = 1;
+        ++dashes->fresh_count;
+    } else if (dashes->fresh_count)
+        mark[-1].joined = 0;
+    return 1;
+}
+
+/* Marks along a strip, none closer than four pixels to the next but the last, none farther than eight. */
+static int sil_i_marks_leave(sil_dashes *dashes, const sil_i_pen *pen, const sil_i_bead *bead, const float *along) {
+    const size_t count = pen->strip->count, before = dashes->fresh_count;
+    double clip[2][4], since = SIL_I_MARK_NEAR, unused;
+    size_t i;
+    for (i = 1; i < count; ++i) {
+        const double length = bead[i].arc - bead[i - 1].arc, most = ceil(length / SIL_I_MARK_FAR);
+        const int parts = most < 1 ? 1 : most < 4096 ? (int)most : 4096;
+        int k, ok = 1;
+        since += length;
+        if (since < SIL_I_MARK_NEAR && i > 1 && i + 1 < count)
+            continue;
+        if (!sil_i_pen_project(pen, i - 1, clip[0], &unused) || !sil_i_pen_project(pen, i, clip[1], &unused) ||
+            !(clip[0][3] > 0) || !(clip[1][3] > 0)) {
+            if (dashes->fresh_count > before)
+                dashes->fresh[dashes->fresh_count - 1].joined = 0;
+            continue;
+        }
+        for (k = i > 1 && dashes->fresh_count > before; k <= parts && ok; ++k) {
+            /* even steps on the screen, the places in the mesh that are seen there */
+            const double s = (double)k / parts, near_end = s * clip[0][3], far_end = (1 - s) * clip[1][3];
+            ok = sil_i_mark_leave(dashes, pen, along, i, near_end / (near_end + far_end), s);
+        }
+        since = 0;
+        if (!ok)
+            return 0;
+    }
+    if (dashes->fresh_count > before)
+        dashes->fresh[dashes->fresh_count - 1].joined = 0;
+    return 1;
+}
+
+static int sil_i_dashes_strip(sil_dashes *dashes, const sil_i_pen *pen, float *along) {
+    const double period = pen->dash_end[pen->dash_count - 1];
+    const size_t count = pen->strip->count;
+    sil_i_bead *bead = dashes->bead;
+    double way, whole;
+    size_t i;
+    sil_i_beads_place(pen, bead);
+    way = sil_i_beads_match(dashes, pen, bead) < 0 ? -1 : 1;
+    if (sil_i_beads_unwrap(pen, bead, way))
+        sil_i_beads_even(pen, bead);
+    /* whole periods do not matter, and small numbers are precise floats */
+    whole = period * floor((way * bead[0].arc + bead[0].offset) / period);
+    for (i = 0; i < count; ++i)
+        along[i] = (float)(way * bead[i].arc + bead[i].offset - whole);
+    return sil_i_marks_leave(dashes, pen, bead, along);
+}
+
+static int sil_i_dashes_room(sil_dashes *dashes, const sil_strip *strips, size_t strip_count) {
+    size_t i, longest = 1, heads = 64;
+    void *memory;
+    for (i = 0; i < strip_count; ++i)
+        longest = strips[i].count > longest ? strips[i].count : longest;
+    while (heads < dashes->mark_count)
+        heads *= 2;
+    memory = sil_i_grown(&dashes->allocator, dashes->bead, &dashes->bead_capacity, longest, sizeof *dashes->bead, 0);
+    if (!memory)
+        return 0;
+    dashes->bead = (sil_i_bead *)memory;
+    memory = sil_i_grown(&dashes->allocator, dashes->head, &dashes->head_capacity, heads, sizeof *dashes->head, 0);
+    if (!memory)
+        return 0;
+    dashes->head = (uint32_t *)memory;
+    dashes->head_count = heads;
+    return 1;
+}
+
+SIL_DEF sil_result sil_dashes_follow(sil_dashes *dashes, const sil_mesh *mesh, const sil_pose *pose,
+                                     const sil_strip *strips, size_t strip_count, const uint32_t *vertices,
+                                     const sil_ribbon_desc *desc, float *along) {
+    sil_i_pen pen;
+    sil_i_mark *marks;
+    size_t i;
+    if (!dashes || !along || !sil_i_pen_make(&pen, mesh, pose, strips, vertices, desc) || !pen.dash_count)
+        return SIL_INVALID_ARGUMENT;
+    dashes->fresh_count = 0;
+    if (!sil_i_dashes_room(dashes, strips, strip_count))
+        return SIL_OUT_OF_MEMORY;
+    sil_i_marks_place(dashes, &pen);
+    for (i = 0; i < strip_count; ++i) {
+        pen.strip = &strips[i];
+        dashes->strip = (uint32_t)i;
+        if (strips[i].count && !sil_i_dashes_strip(dashes, &pen, along + strips[i].first))
+            return SIL_OUT_OF_MEMORY;
+    }
+    marks = dashes->mark;
+    dashes->mark = dashes->fresh;
+    dashes->fresh = marks;
+    i = dashes->mark_capacity;
+    dashes->mark_capacity = dashes->fresh_capacity;
+    dashes->fresh_capacity = i;
+    dashes->mark_count = dashes->fresh_count;
+    return SIL_OK;
 }
 
 #endif /* SILHOUETTE_IMPLEMENTATION_ONCE */
