@@ -398,6 +398,36 @@ SIL_DEF size_t sil_chain_corners(const sil_mesh *mesh, sil_pose *pose, const sil
                                  const sil_edge *edges, size_t edge_count, sil_strip *strips, size_t strip_capacity,
                                  uint32_t *vertices, size_t vertex_capacity, size_t *vertices_needed);
 
+/* Smooth silhouettes: where interpolated normals are at right angles to the view, through the inside of faces. What a
+   smooth surface's silhouette would be, without the zigzag and the hooks of edges; but it lies inside of the mesh's own
+   outline by up to the sagitta of an edge, and is hidden by the mesh in places: draw it with a depth test that forgives
+   as much. */
+typedef struct sil_smooth_point {
+    float position[3]; /* in the mesh's coordinates */
+    float normal[3];   /* interpolated, of length 1; zero where the normals cancel each other */
+    uint32_t edge;     /* the edge that is crossed, */
+    uint32_t a, b;     /* from the caller's vertex a to b */
+    float t;           /* at this part of it, 0 to 1 */
+} sil_smooth_point;
+
+enum {
+    SIL_SMOOTH_HERMITE = 1
+}; /* points on a cubic curve over the edge that is at right angles to the normals at both
+                                    ends, not on the edge: much closer to a smooth surface */
+
+/* normals: one a vertex, any length (stride in bytes, 0: 12); welded vertices have the sum of theirs made unit. NULL:
+   made from the faces in this pose, exact on spheres (Max 1999). n * (eye - position) is taken to be linear along
+   edges; zero counts as positive, so that each face has no crossing or two, and a mesh whose edges all have two faces
+   has closed loops in every view. Strips are ranges of points, for sil_ribbons without `vertices` (desc.points =
+   points[0].position, desc.point_stride = sizeof *points); closed ones repeat their first point; positive normals lie
+   on the left. They end at edges of one face and of three and more. Ids, kinds (SIL_SILHOUETTE) and order as in
+   sil_chain: by the smallest edge crossed, but for the order, which is by the smallest face. Scratch memory as in
+   sil_chain: 32 bytes a vertex and 1 a face. Returns the number of strips; *points_needed (may be NULL) is that of the
+   points. No eye, one that is not finite: none. 0 with *points_needed = SIZE_MAX: out of memory. */
+SIL_DEF size_t sil_smooth(const sil_mesh *mesh, sil_pose *pose, const sil_view *view, const float *normals,
+                          size_t normal_stride, unsigned flags, sil_smooth_point *points, size_t point_capacity,
+                          sil_strip *strips, size_t strip_capacity, size_t *points_needed);
+
 enum { SIL_DISTANCE_INFINITE_LINE = 1 }; /* to the endless line through each edge (Diepstraten 2002), not to the edge */
 
 typedef struct sil_distance_desc {
@@ -721,6 +751,10 @@ static double sil_i_abs(double value) {
 
 static double sil_i_larger(double a, double b) {
     return a > b ? a : b;
+}
+
+static double sil_i_mix(double a, double b, double t) {
+    return (1 - t) * a + t * b; /* exactly a and b at 0 and 1 */
 }
 
 /* A number as sign * mantissa * 2^exponent. */
@@ -4520,6 +4554,294 @@ SIL_DEF size_t sil_chain(const sil_mesh *mesh, sil_pose *pose, const sil_edge *e
                              vertices_needed);
 }
 
+/* ---- smooth silhouettes ---- */
+
+typedef struct sil_i_smooth {
+    const sil_mesh *mesh;
+    const sil_i_shape *shape;
+    double eye[4];
+    double *value;       /* of each welded vertex: n * (eye - w * position) */
+    double *normal;      /* x y z, of length 1 or 0 */
+    unsigned char *done; /* faces */
+    unsigned flags;
+    sil_smooth_point *points;
+    size_t point_capacity, point_count;
+    sil_strip *strips;
+    size_t strip_capacity, strip_count;
+} sil_i_smooth;
+
+static double sil_i_dot(const double a[3], const double b[3]) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static void sil_i_make_unit(double v[3]) {
+    const double square = sil_i_dot(v, v), length = sqrt(square);
+    int k;
+    for (k = 0; k < 3; ++k)
+        v[k] = square > 0 && square < 1e300 ? v[k] / length : 0;
+}
+
+/* Sums of the normals that were given. Those that are not finite are left out. */
+static void sil_i_smooth_given(const sil_i_smooth *s, const float *normals, size_t stride) {
+    size_t i;
+    int k;
+    for (i = 0; i < s->mesh->vertex_count; ++i) {
+        float n[3];
+        double unit[3];
+        memcpy(n, (const char *)(const void *)normals + stride * i, sizeof n);
+        if (s->mesh->welded[i] >= s->mesh->unique_count || !sil_i_all_finite(n, 3))
+            continue;
+        sil_i_widen(n, unit, 3);
+        sil_i_make_unit(unit);
+        for (k = 0; k < 3; ++k)
+            s->normal[3 * (size_t)s->mesh->welded[i] + (size_t)k] += unit[k];
+    }
+}
+
+/* Normals from the faces, by Max's weights (Journal of Graphics Tools 4, 1999): the cross product of a corner's sides
+   over the squares of their lengths. No angle is needed, and on a sphere the sum is exact. */
+static void sil_i_smooth_made(const sil_i_smooth *s) {
+    const sil_mesh *mesh = s->mesh;
+    size_t i;
+    int k;
+    for (i = 0; i < 3 * mesh->face_count; ++i) {
+        const size_t face = i - i % 3;
+        const float *p = s->shape->position + 3 * (size_t)mesh->corner[i];
+        const float *q = s->shape->position + 3 * (size_t)mesh->corner[face + (i + 1) % 3];
+        const float *r = s->shape->position + 3 * (size_t)mesh->corner[face + (i + 2) % 3];
+        double u[3], v[3], weight;
+        for (k = 0; k < 3; ++k) {
+            u[k] = (double)q[k] - (double)p[k];
+            v[k] = (double)r[k] - (double)p[k];
+        }
+        weight = sil_i_dot(u, u) * sil_i_dot(v, v);
+        if (weight > 0)
+            for (k = 0; k < 3; ++k)
+                s->normal[3 * (size_t)mesh->corner[i] + (size_t)k] +=
+                    (u[(k + 1) % 3] * v[(k + 2) % 3] - u[(k + 2) % 3] * v[(k + 1) % 3]) / weight;
+    }
+}
+
+static double sil_i_smooth_value(const sil_i_smooth *s, const double normal[3], const double place[3]) {
+    double sum = 0;
+    int k;
+    for (k = 0; k < 3; ++k)
+        sum += normal[k] * (s->eye[k] - s->eye[3] * place[k]);
+    return sum;
+}
+
+static void sil_i_smooth_values(const sil_i_smooth *s) {
+    size_t i;
+    for (i = 0; i < s->mesh->unique_count; ++i) {
+        double place[3];
+        sil_i_widen(s->shape->position + 3 * i, place, 3);
+        sil_i_make_unit(s->normal + 3 * i);
+        s->value[i] = sil_i_smooth_value(s, s->normal + 3 * i, place);
+    }
+}
+
+/* The side of a face, 0 to 2, where the value falls from positive to negative (falls = 1) or rises; 3: there is none. */
+static uint32_t sil_i_smooth_side(const sil_i_smooth *s, uint32_t face, int falls) {
+    const uint32_t *corner = s->mesh->corner + 3 * (size_t)face;
+    uint32_t i;
+    for (i = 0; i < 3; ++i)
+        if (s->shape->bad_count && s->shape->bad[corner[i]])
+            return 3;
+    for (i = 0; i < 3; ++i) {
+        const int from = s->value[corner[i]] >= 0, to = s->value[corner[(i + 1) % 3]] >= 0;
+        if (from != to && from == falls)
+            return i;
+    }
+    return 3;
+}
+
+/* From a crossed edge of a face through it to the other one. */
+static uint32_t sil_i_smooth_other(const sil_i_smooth *s, uint32_t face, uint32_t edge) {
+    const uint32_t *edges = s->mesh->face_edge + 3 * (size_t)face;
+    const uint32_t in = edges[sil_i_smooth_side(s, face, 1)], out = edges[sil_i_smooth_side(s, face, 0)];
+    return in == edge ? out : in;
+}
+
+/* The face on the other side of a crossed edge, SIL_NONE where the line ends. */
+static uint32_t sil_i_smooth_across(const sil_i_smooth *s, uint32_t face, uint32_t edge) {
+    const uint32_t other = sil_i_across(s->mesh, edge, face);
+    return other == SIL_NONE || sil_i_smooth_side(s, other, 1) == 3 ? SIL_NONE : other;
+}
+
+/* The cubic over an edge from a to b that is at right angles to both normals. */
+static void sil_i_smooth_curve(const double a[3], const double b[3], const double *na, const double *nb, double t,
+                               double out[3]) {
+    double d[3], along_a, along_b;
+    int k;
+    for (k = 0; k < 3; ++k)
+        d[k] = b[k] - a[k];
+    along_a = sil_i_dot(d, na);
+    along_b = sil_i_dot(d, nb);
+    for (k = 0; k < 3; ++k) {
+        const double from = d[k] - along_a * na[k], to = d[k] - along_b * nb[k], r = 1 - t;
+        out[k] = r * r * (1 + 2 * t) * a[k] + t * t * (3 - 2 * t) * b[k] + t * r * (r * from - t * to);
+    }
+}
+
+/* The crossing on the cubic between t = 0 and 1, where the value has different signs, by regula falsi; an end that
+   stays twice counts half (the Illinois rule), so that both close in. */
+static double sil_i_smooth_root(const sil_i_smooth *s, const double a[3], const double b[3], const double *na,
+                                const double *nb, double low_value, double high_value) {
+    double low = 0, high = 1, t = 0.5, place[3], normal[3];
+    int step, k, stayed = 0;
+    for (step = 0; step < 24 && high - low > 1e-12; ++step) {
+        double value;
+        t = low_value / (low_value - high_value);
+        t = low + (t > 0 ? t < 1 ? t : 1 : 0) * (high - low);
+        sil_i_smooth_curve(a, b, na, nb, t, place);
+        for (k = 0; k < 3; ++k)
+            normal[k] = sil_i_mix(na[k], nb[k], t);
+        value = sil_i_smooth_value(s, normal, place);
+        if (!(sil_i_abs(value) > 0))
+            break;
+        if ((value > 0) == (low_value > 0)) {
+            high_value *= stayed == 1 ? 0.5 : 1;
+            low = t;
+            low_value = value;
+            stayed = 1;
+        } else {
+            low_value *= stayed == 2 ? 0.5 : 1;
+            high = t;
+            high_value = value;
+            stayed = 2;
+        }
+    }
+    return t;
+}
+
+static void sil_i_smooth_write(sil_i_smooth *s, uint32_t edge) {
+    const uint32_t *v = s->mesh->edge_vertex + 2 * (size_t)edge;
+    const double *na = s->normal + 3 * (size_t)v[0], *nb = s->normal + 3 * (size_t)v[1];
+    const double from = s->value[v[0]], to = s->value[v[1]];
+    const size_t at = s->point_count++;
+    double a[3], b[3], place[3], normal[3], t;
+    sil_smooth_point *point;
+    int k;
+    if (!s->points || at >= s->point_capacity)
+        return;
+    point = &s->points[at];
+    sil_i_widen(s->shape->position + 3 * (size_t)v[0], a, 3);
+    sil_i_widen(s->shape->position + 3 * (size_t)v[1], b, 3);
+    t = from / (from - to); /* one is negative and the other is not */
+    t = t > 0 ? t < 1 ? t : 1 : 0;
+    if (s->flags & SIL_SMOOTH_HERMITE) {
+        t = sil_i_abs(from) > 0 ? sil_i_smooth_root(s, a, b, na, nb, from, to) : 0;
+        sil_i_smooth_curve(a, b, na, nb, t, place);
+    }
+    for (k = 0; k < 3; ++k) {
+        if (!(s->flags & SIL_SMOOTH_HERMITE))
+            place[k] = sil_i_mix(a[k], b[k], t);
+        normal[k] = sil_i_mix(na[k], nb[k], t);
+    }
+    sil_i_make_unit(normal);
+    for (k = 0; k < 3; ++k) {
+        point->position[k] = (float)place[k];
+        point->normal[k] = (float)normal[k];
+    }
+    point->edge = edge;
+    point->a = s->mesh->origin[v[0]];
+    point->b = s->mesh->origin[v[1]];
+    point->t = (float)t;
+}
+
+/* The line through a face: back to where it begins, or to the face itself, then forward. */
+static void sil_i_smooth_strip(sil_i_smooth *s, uint32_t face) {
+    const uint32_t start = face, *edges = s->mesh->face_edge + 3 * (size_t)face;
+    const size_t first = s->point_count;
+    uint32_t edge = edges[sil_i_smooth_side(s, face, 1)], next, id;
+    int closed = 0;
+    while ((next = sil_i_smooth_across(s, face, edge)) != SIL_NONE && !closed) {
+        face = next;
+        edge = sil_i_smooth_other(s, face, edge);
+        closed = face == start;
+    }
+    if (closed) /* once around: the edge by which it came back in */
+        edge = edges[sil_i_smooth_side(s, start, 1)];
+    id = edge;
+    sil_i_smooth_write(s, edge);
+    for (next = face; next != SIL_NONE && !s->done[next]; next = sil_i_smooth_across(s, face, edge)) {
+        face = next;
+        s->done[face] = 1;
+        edge = sil_i_smooth_other(s, face, edge);
+        id = edge < id ? edge : id;
+        sil_i_smooth_write(s, edge);
+    }
+    if (s->strips && s->strip_count < s->strip_capacity) {
+        sil_strip *strip = &s->strips[s->strip_count];
+        strip->first = (uint32_t)first;
+        strip->count = (uint32_t)(s->point_count - first);
+        strip->id = id;
+        strip->kinds = SIL_SILHOUETTE;
+        strip->closed = (uint32_t)closed;
+    }
+    ++s->strip_count;
+}
+
+/* The eye with its largest coordinate 1 and w not negative; 0 where it is none. */
+static int sil_i_smooth_eye(const sil_view *view, double eye[4]) {
+    double largest = 0;
+    int k, finite = 1;
+    for (k = 0; k < 4; ++k) {
+        (void)sil_i_from_double(view->eye[k], &finite);
+        largest = sil_i_larger(largest, sil_i_abs(view->eye[k]));
+    }
+    if (!finite || !(largest > 0))
+        return 0;
+    for (k = 0; k < 4; ++k)
+        eye[k] = (view->eye[3] < 0 ? -view->eye[k] : view->eye[k]) / largest;
+    return 1;
+}
+
+SIL_DEF size_t sil_smooth(const sil_mesh *mesh, sil_pose *pose, const sil_view *view, const float *normals,
+                          size_t normal_stride, unsigned flags, sil_smooth_point *points, size_t point_capacity,
+                          sil_strip *strips, size_t strip_capacity, size_t *points_needed) {
+    sil_i_smooth s;
+    void *memory;
+    uint32_t face;
+    memset(&s, 0, sizeof s);
+    if (points_needed)
+        *points_needed = 0;
+    if (!mesh || !view || (pose && pose->mesh != mesh) || (normal_stride && normal_stride < 3 * sizeof(float)) ||
+        !sil_i_smooth_eye(view, s.eye))
+        return 0;
+    memory = sil_i_scratch(mesh, pose, mesh->unique_count * 4 * sizeof(double) + mesh->face_count + 1);
+    if (!memory) {
+        if (points_needed)
+            *points_needed = (size_t)-1;
+        return 0;
+    }
+    s.mesh = mesh;
+    s.shape = sil_i_shape_of(mesh, pose);
+    s.normal = (double *)memory;
+    s.value = s.normal + 3 * mesh->unique_count;
+    s.done = (unsigned char *)(void *)(s.value + mesh->unique_count);
+    s.flags = flags;
+    s.points = points;
+    s.point_capacity = point_capacity;
+    s.strips = strips;
+    s.strip_capacity = strip_capacity;
+    memset(s.normal, 0, 3 * mesh->unique_count * sizeof *s.normal);
+    memset(s.done, 0, mesh->face_count);
+    if (normals)
+        sil_i_smooth_given(&s, normals, normal_stride ? normal_stride : 3 * sizeof(float));
+    else
+        sil_i_smooth_made(&s);
+    sil_i_smooth_values(&s);
+    for (face = 0; face < mesh->face_count; ++face)
+        if (!s.done[face] && sil_i_smooth_side(&s, face, 1) < 3)
+            sil_i_smooth_strip(&s, face);
+    if (!pose)
+        sil_i_give(&mesh->allocator, memory);
+    if (points_needed)
+        *points_needed = s.point_count;
+    return s.strip_count;
+}
+
 /* ---- distances ---- */
 
 /* Eight segments for the inner loop, one array a coordinate: both ends, and 1 / length^2 or 0. */
@@ -5545,10 +5867,6 @@ static void sil_i_spot_clamp(const sil_i_pen *pen, sil_i_spot *spot) {
     const double x = 0.5 * pen->width * (pen->guard_x - 1), y = 0.5 * pen->height * (pen->guard_y - 1);
     spot->x = spot->x < -x ? -x : spot->x > pen->width + x ? pen->width + x : spot->x;
     spot->y = spot->y < -y ? -y : spot->y > pen->height + y ? pen->height + y : spot->y;
-}
-
-static double sil_i_mix(double a, double b, double t) {
-    return (1 - t) * a + t * b; /* exactly a and b at 0 and 1 */
 }
 
 static double sil_i_gap(const sil_i_spot *a, const sil_i_spot *b) {

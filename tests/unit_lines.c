@@ -1182,6 +1182,340 @@ static void test_without_concave(void **state) {
     shape_free(&s);
 }
 
+/* ---- smooth silhouettes ---- */
+
+/* An icosahedron divided `levels` times, its vertices on the unit sphere; those divided edges have vertices of their own
+   in each face, which welding joins: the same rounding both ways. */
+static void divide(shape *s, const double *a, const double *b, const double *c, int levels) {
+    const double *const corner[3] = {a, b, c};
+    double middle[3][3];
+    uint32_t v[3];
+    int i, k;
+    if (levels == 0) {
+        for (i = 0; i < 3; ++i)
+            v[i] = add_vertex(s, corner[i][0], corner[i][1], corner[i][2]);
+        add_face(s, v[0], v[1], v[2]);
+        return;
+    }
+    for (i = 0; i < 3; ++i) {
+        double length = 0;
+        for (k = 0; k < 3; ++k)
+            middle[i][k] = corner[i][k] + corner[(i + 1) % 3][k];
+        for (k = 0; k < 3; ++k)
+            length += middle[i][k] * middle[i][k];
+        for (k = 0; k < 3; ++k)
+            middle[i][k] /= sqrt(length);
+    }
+    divide(s, a, middle[0], middle[2], levels - 1);
+    divide(s, middle[0], b, middle[1], levels - 1);
+    divide(s, middle[2], middle[1], c, levels - 1);
+    divide(s, middle[0], middle[1], middle[2], levels - 1);
+}
+
+static shape make_sphere(int levels) {
+    static const int faces[20][3] = {{0, 11, 5}, {0, 5, 1},  {0, 1, 7},   {0, 7, 10}, {0, 10, 11},
+                                     {1, 5, 9},  {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
+                                     {3, 9, 4},  {3, 4, 2},  {3, 2, 6},   {3, 6, 8},  {3, 8, 9},
+                                     {4, 9, 5},  {2, 4, 11}, {6, 2, 10},  {8, 6, 7},  {9, 8, 1}};
+    const double g = (1 + sqrt(5.0)) / 2, l = sqrt(1 + g * g);
+    shape s = shape_new(60u << 2 * levels, 20u << 2 * levels);
+    double corner[12][3];
+    int i, k;
+    for (i = 0; i < 12; ++i)
+        for (k = 0; k < 3; ++k)
+            corner[i][k] = 0;
+    for (i = 0; i < 4; ++i) {
+        const double one = i & 1 ? 1 : -1, phi = i & 2 ? -g : g;
+        corner[i][0] = one / l;
+        corner[i][1] = phi / l;
+        corner[4 + i][1] = one / l;
+        corner[4 + i][2] = phi / l;
+        corner[8 + i][2] = one / l;
+        corner[8 + i][0] = phi / l;
+    }
+    for (i = 0; i < 20; ++i)
+        divide(&s, corner[faces[i][0]], corner[faces[i][1]], corner[faces[i][2]], levels);
+    shape_finish(&s);
+    assert_int_equal(sil_mesh_get_info(s.mesh).closed, 1);
+    assert_int_equal(sil_mesh_get_info(s.mesh).flipped_edge_count, 0);
+    return s;
+}
+
+typedef struct smooth {
+    sil_smooth_point *points;
+    sil_strip *strips;
+    size_t point_count, strip_count;
+} smooth;
+
+static smooth smooth_of(const sil_mesh *mesh, sil_pose *pose, const sil_view *view, const float *normals,
+                        unsigned flags) {
+    smooth l;
+    size_t again;
+    l.strip_count = sil_smooth(mesh, pose, view, normals, 0, flags, NULL, 0, NULL, 0, &l.point_count);
+    l.points = (sil_smooth_point *)malloc((l.point_count + 1) * sizeof *l.points);
+    l.strips = (sil_strip *)malloc((l.strip_count + 1) * sizeof *l.strips);
+    assert_true(l.points && l.strips);
+    assert_int_equal(
+        sil_smooth(mesh, pose, view, normals, 0, flags, l.points, l.point_count, l.strips, l.strip_count, &again),
+        l.strip_count);
+    assert_int_equal(again, l.point_count);
+    return l;
+}
+
+static void smooth_free(smooth *l) {
+    free(l->points);
+    free(l->strips);
+}
+
+static double dot(const double *a, const double *b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/* On a sphere with its own normals, n * (eye - p) is linear in p: all points lie in the plane of the circle of contact,
+   p * eye = 1, and below the sphere by no more than the sagitta of the longest edge h, h^2 / 8; with Hermite curves by
+   h^4 / 42.6 (the middle of an edge of angle a has radius 1 - 9 / 384 a^4 to that order). */
+static void test_smooth_sphere(void **state) {
+    double worst_before[2] = {0, 0};
+    int levels, curved, made;
+    (void)state;
+    for (levels = 2; levels < 5; ++levels)
+        for (curved = 0; curved < 2; ++curved) {
+            double worst = 0, plane = 0;
+            for (made = 0; made < 6; ++made) {
+                shape s = make_sphere(levels);
+                double eye[3] = {1.3 + made, 2.1, -0.7 * made}, longest = 0, h2;
+                sil_view view = sil_view_perspective(eye);
+                smooth l =
+                    smooth_of(s.mesh, NULL, &view, made % 2 ? s.positions : NULL, curved ? SIL_SMOOTH_HERMITE : 0);
+                size_t i;
+                int k;
+                for (i = 0; i < s.index_count; ++i) {
+                    double square = 0;
+                    for (k = 0; k < 3; ++k)
+                        square += pow((double)s.positions[3 * s.indices[i] + (size_t)k] -
+                                          (double)s.positions[3 * s.indices[i % 3 == 2 ? i - 2 : i + 1] + (size_t)k],
+                                      2);
+                    longest = fmax(longest, square);
+                }
+                h2 = longest;
+                assert_int_equal(l.strip_count, 1);
+                assert_int_equal(l.strips[0].closed, 1);
+                for (i = 0; i < l.point_count; ++i) {
+                    const double p[3] = {(double)l.points[i].position[0], (double)l.points[i].position[1],
+                                         (double)l.points[i].position[2]};
+                    const double below = 1 - sqrt(dot(p, p));
+                    assert_true(below > -1e-6 && below < (curved ? h2 * h2 / 42 : h2 / 8) * 1.02 + 1e-6);
+                    worst = fmax(worst, below);
+                    plane = fmax(plane, fabs(dot(p, eye) - 1) / sqrt(dot(eye, eye)));
+                }
+                smooth_free(&l);
+                shape_free(&s);
+            }
+            print_message("smooth sphere, %d faces%s: %.2g inside, %.2g off the plane of contact\n", 20 << 2 * levels,
+                          curved ? ", Hermite" : "", worst, plane);
+            assert_true(plane < (curved ? 2 * worst + 1e-6 : 1e-6));
+            if (levels > 2) /* a quarter, a sixteenth */
+                assert_true(worst < worst_before[curved] / (curved ? 12 : 3.5));
+            worst_before[curved] = worst;
+        }
+}
+
+/* Closed loops in every view, whatever the normals; each face whose corners differ is passed once. Whole numbers make
+   zeros, which are positive; sums of three products of them are exact. */
+static void test_smooth_closed_loops(void **state) {
+    shape s = make_torus(24, 12, 0.4, 0.2);
+    float *normals = (float *)malloc(3 * s.vertex_count * sizeof *normals), *posed = NULL;
+    int round;
+    size_t zeros = 0, loops = 0;
+    (void)state;
+    assert_non_null(normals);
+    posed = (float *)malloc(3 * s.vertex_count * sizeof *posed);
+    assert_non_null(posed);
+    for (round = 0; round < 60; ++round) {
+        const int whole = round % 2;
+        sil_pose *pose = sil_pose_create(s.mesh, NULL);
+        sil_view view;
+        smooth l;
+        double *value = (double *)malloc(s.vertex_count * sizeof *value);
+        unsigned char *passed = (unsigned char *)calloc(s.index_count / 3, 1);
+        size_t i, j, crossed = 0;
+        int k;
+        assert_true(value && passed && pose);
+        for (k = 0; k < 4; ++k)
+            view.eye[k] = whole ? (double)((int)(random_bits() % 5) - 2) : random_in(-2, 2);
+        view.eye[3] = round % 3 ? 1 : 0;
+        if (!(fabs(view.eye[0]) + fabs(view.eye[1]) > 0))
+            view.eye[0] = 1;
+        for (i = 0; i < s.vertex_count; ++i) {
+            for (k = 0; k < 3; ++k) {
+                posed[3 * i + (size_t)k] = whole ? (float)((int)(random_bits() % 5) - 2)
+                                                 : s.positions[3 * i + (size_t)k] + (float)random_in(-0.05, 0.05);
+                normals[3 * i + (size_t)k] = whole ? 0 : (float)random_in(-1, 1);
+            }
+            if (whole) /* along an axis: unit as they are */
+                normals[3 * i + random_bits() % 3] = random_bits() % 2 ? 1 : -1;
+        }
+        assert_int_equal(sil_pose_set(pose, posed, 0), SIL_OK);
+        l = smooth_of(s.mesh, pose, &view, normals, round % 4 == 3 ? SIL_SMOOTH_HERMITE : 0);
+        for (i = 0; i < s.vertex_count; ++i) {
+            value[i] = 0;
+            for (k = 0; k < 3; ++k)
+                value[i] +=
+                    (double)normals[3 * i + (size_t)k] * (view.eye[k] - view.eye[3] * (double)posed[3 * i + (size_t)k]);
+            zeros += whole && !(fabs(value[i]) > 0);
+        }
+        for (i = 0; i < s.index_count; i += 3) {
+            int positive = 0;
+            for (k = 0; k < 3; ++k)
+                positive += value[s.indices[i + (size_t)k]] >= 0;
+            crossed += positive == 1 || positive == 2;
+        }
+        loops += l.strip_count;
+        assert_int_equal(l.point_count, crossed + l.strip_count);
+        for (i = 0; i < l.strip_count; ++i) {
+            const sil_strip *strip = &l.strips[i];
+            uint32_t least = SIL_NONE;
+            assert_int_equal(strip->closed, 1);
+            assert_memory_equal(&l.points[strip->first], &l.points[strip->first + strip->count - 1], sizeof *l.points);
+            for (j = strip->first; j < strip->first + strip->count; ++j) {
+                const sil_smooth_point *p = &l.points[j];
+                assert_true((value[p->a] >= 0) != (value[p->b] >= 0) && p->t >= 0 && p->t <= 1);
+                least = p->edge < least ? p->edge : least;
+                for (k = 0; k < 3; ++k) {
+                    const double a = (double)posed[3 * p->a + (size_t)k], b = (double)posed[3 * p->b + (size_t)k];
+                    const double t = value[p->a] / (value[p->a] - value[p->b]);
+                    assert_true(isfinite(p->position[k]) && isfinite(p->normal[k]));
+                    if (round % 4 != 3 && whole)
+                        assert_true(fabs((double)p->position[k] - a - t * (b - a)) < 1e-6);
+                }
+            }
+            assert_int_equal(strip->id, least);
+        }
+        free(value);
+        free(passed);
+        smooth_free(&l);
+        sil_pose_destroy(pose);
+    }
+    print_message("smooth loops: %zu closed, %zu vertices exactly at right angles\n", loops, zeros);
+    assert_true(loops > 100 && zeros > 100);
+    free(normals);
+    free(posed);
+    shape_free(&s);
+}
+
+/* On a torus, the true normal at each point is at right angles to the way to the eye but for what the edges' length h
+   makes: the angle falls with h^2. What is in front is on the left. */
+static void test_smooth_torus(void **state) {
+    double before = 0;
+    int fine;
+    (void)state;
+    for (fine = 1; fine <= 4; fine *= 2) {
+        shape s = make_torus(32 * fine, 16 * fine, 0.4, 0);
+        const double eye[3] = {2.5, 1.5, 2};
+        const sil_view view = sil_view_perspective(eye);
+        const float *none = NULL;
+        smooth l = smooth_of(s.mesh, NULL, &view, none, 0);
+        double worst = 0;
+        size_t i, j;
+        int k;
+        assert_true(l.strip_count >= 1);
+        for (i = 0; i < l.strip_count; ++i)
+            for (j = l.strips[i].first; j < l.strips[i].first + l.strips[i].count; ++j) {
+                const sil_smooth_point *p = &l.points[j];
+                const double x = (double)p->position[0], y = (double)p->position[1], ring = hypot(x, y);
+                const double n[3] = {x - x / ring, y - y / ring, (double)p->position[2]};
+                double way[3], ahead[3], left[3];
+                for (k = 0; k < 3; ++k)
+                    way[k] = eye[k] - (double)p->position[k];
+                worst = fmax(worst, fabs(dot(n, way)) / sqrt(dot(n, n) * dot(way, way)));
+                if (j + 1 == l.strips[i].first + l.strips[i].count)
+                    continue;
+                for (k = 0; k < 3; ++k)
+                    ahead[k] = (double)l.points[j + 1].position[k] - (double)p->position[k];
+                for (k = 0; k < 3; ++k) /* normal x ahead */
+                    left[k] = n[(k + 1) % 3] * ahead[(k + 2) % 3] - n[(k + 2) % 3] * ahead[(k + 1) % 3];
+                for (k = 0; k < 3; ++k) /* a step to the left, onto what is turned more toward the eye */
+                    left[k] *= 1e-3 / sqrt(dot(ahead, ahead) * dot(n, n));
+                if (dot(ahead, ahead) > 1e-4 / fine / fine) {
+                    const double sx = x + left[0], sy = y + left[1], r = hypot(sx, sy);
+                    const double m[3] = {sx - sx / r, sy - sy / r, (double)p->position[2] + left[2]};
+                    const double toward[3] = {way[0] - left[0], way[1] - left[1], way[2] - left[2]};
+                    assert_true(dot(m, toward) / sqrt(dot(m, m)) > dot(n, way) / sqrt(dot(n, n)));
+                }
+            }
+        print_message("smooth torus of %zu faces: at most %.2g from a right angle\n", s.index_count / 3, worst);
+        if (fine > 1)
+            assert_true(worst < before / 3);
+        before = worst;
+        smooth_free(&l);
+        shape_free(&s);
+    }
+}
+
+/* An open sheet's lines end at its border; a sheet of one face has one segment; bad input has none. */
+static void test_smooth_borders_and_misuse(void **state) {
+    const float positions[12] = {0, 0, 0, 1, 0, 0, 0, 1, 0, NAN, 0, 0};
+    const float broken[12] = {0, 0, 0, 1, 0, 0, 0, NAN, 0, 0, 0, 0};
+    const uint32_t indices[3] = {0, 1, 2};
+    const float normals[12] = {1, 0, 1, -1, 0, 1, 1, 0, 1, 0, 0, 0}, nothing[12] = {NAN, 0, 0, 0, INFINITY, 0, 0, 0, 0};
+    const double toward[3] = {1, 0, 0}, bad[3] = {(double)NAN, 0, 0}, zero[3] = {0, 0, 0};
+    counting c = {0, 0, (size_t)-1};
+    sil_mesh_desc desc;
+    sil_mesh *mesh;
+    sil_pose *pose;
+    sil_view view = sil_view_orthographic(toward), none = sil_view_perspective(bad),
+             nowhere = sil_view_orthographic(zero);
+    sil_smooth_point points[3];
+    sil_strip strip[2];
+    sil_ribbon_desc ribbon;
+    size_t needed, before;
+    (void)state;
+    memset(&desc, 0, sizeof desc);
+    desc.positions = positions;
+    desc.vertex_count = 4;
+    desc.indices = indices;
+    desc.index_count = 3;
+    desc.allocator.alloc_fn = counting_alloc;
+    desc.allocator.free_fn = counting_free;
+    desc.allocator.user = &c;
+    mesh = sil_mesh_create(&desc, NULL);
+    assert_non_null(mesh);
+    memset(points, 0, sizeof points);
+    assert_int_equal(sil_smooth(mesh, NULL, &view, normals, 0, 0, points, 1, strip, 2, &needed), 1);
+    assert_int_equal(needed, 2);
+    assert_true(strip[0].count == 2 && !strip[0].closed && strip[0].kinds == SIL_SILHOUETTE);
+    assert_int_equal(points[1].a, 0); /* not written: there was room for one */
+    assert_int_equal(sil_smooth(mesh, NULL, &view, normals, 0, 0, points, 3, strip, 2, NULL), 1);
+    assert_true(fabs((double)points[0].position[0] - 0.5) < 1e-6 && fabs((double)points[1].position[0] - 0.5) < 1e-6);
+    assert_true(fabs((double)points[0].normal[2] - 1) < 1e-6);
+    assert_int_equal(sil_smooth(mesh, NULL, &view, nothing, 0, 0, points, 3, strip, 2, NULL),
+                     0); /* all zero: positive */
+    assert_int_equal(sil_smooth(mesh, NULL, &none, normals, 0, 0, points, 3, strip, 2, NULL), 0);
+    assert_int_equal(sil_smooth(mesh, NULL, &nowhere, normals, 0, 0, points, 3, strip, 2, NULL), 0);
+    assert_int_equal(sil_smooth(mesh, NULL, NULL, normals, 0, 0, points, 3, strip, 2, NULL), 0);
+    assert_int_equal(sil_smooth(NULL, NULL, &view, normals, 0, 0, points, 3, strip, 2, NULL), 0);
+    assert_int_equal(sil_smooth(mesh, NULL, &view, normals, 4, 0, points, 3, strip, 2, NULL), 0);
+    memset(&ribbon, 0, sizeof ribbon); /* what comes out goes into ribbons */
+    ribbon = screen_desc(points[0].position, 2);
+    ribbon.point_stride = sizeof *points;
+    assert_true(sil_ribbons(NULL, NULL, strip, 1, NULL, &ribbon, NULL, 0) > 0);
+    ribbon.point_count = 1; /* a range that goes past the points */
+    assert_int_equal(sil_ribbons(NULL, NULL, strip, 1, NULL, &ribbon, NULL, 0), 0);
+    c.fail_at = c.calls;
+    assert_int_equal(sil_smooth(mesh, NULL, &view, normals, 0, 0, points, 3, strip, 2, &needed), 0);
+    assert_true(needed == SIZE_MAX);
+    pose = sil_pose_create(mesh, NULL);
+    assert_int_equal(sil_smooth(mesh, pose, &view, normals, 0, 0, points, 3, strip, 2, &needed), 1);
+    before = c.calls; /* the pose keeps its scratch memory */
+    assert_int_equal(sil_smooth(mesh, pose, &view, normals, 0, 0, points, 3, strip, 2, &needed), 1);
+    assert_int_equal(c.calls, before);
+    assert_int_equal(sil_pose_set(pose, broken, 0), SIL_OK);
+    assert_int_equal(sil_smooth(mesh, pose, &view, normals, 0, 0, points, 3, strip, 2, &needed), 0);
+    sil_pose_destroy(pose);
+    sil_mesh_destroy(mesh);
+    assert_int_equal(c.live, 0);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_widths_of_vertices),
@@ -1203,6 +1537,10 @@ int main(void) {
         cmocka_unit_test(test_misuse_of_dashes),
         cmocka_unit_test(test_corners),
         cmocka_unit_test(test_without_concave),
+        cmocka_unit_test(test_smooth_sphere),
+        cmocka_unit_test(test_smooth_closed_loops),
+        cmocka_unit_test(test_smooth_torus),
+        cmocka_unit_test(test_smooth_borders_and_misuse),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
