@@ -511,8 +511,8 @@ typedef struct sil_ribbon_desc {
     float model_view[16], projection[16]; /* reversed depth and infinite far planes are fine */
     float viewport_width, viewport_height;
     float width;          /* pixels; 0: 1.5; at most 4096, factors included */
-    float width_scale[4]; /* times this for silhouettes, boundaries, creases, non-manifold edges; 0: 1. A line of
-                             several kinds has that of the first */
+    float width_scale[5]; /* times this for silhouettes, boundaries, creases, non-manifold edges, part borders; 0: 1. A
+                             line of several kinds has that of the first */
     float tolerance;      /* pixels that round caps and joins may lie inside the true circle; 0: 0.1 */
     sil_cap cap;
     sil_join join;
@@ -6319,7 +6319,7 @@ static void sil_i_pen_width(sil_i_pen *pen) {
     double width = desc->width > 0 ? (double)desc->width : 1.5, widest = desc->widths ? 0 : 1, margin;
     size_t i;
     int k = 0;
-    while (k < 3 && !(pen->strip->kinds >> k & 1))
+    while (k < 4 && !(pen->strip->kinds >> k & 1))
         ++k;
     if (desc->width_scale[k] > 0)
         width *= (double)desc->width_scale[k];
@@ -6406,7 +6406,7 @@ static int sil_i_image_ok(const sil_image *image) {
 static int sil_i_ribbon_desc_ok(const sil_ribbon_desc *desc) {
     return sil_i_all_finite(desc->model_view, 16) && sil_i_all_finite(desc->projection, 16) &&
            sil_i_finite(desc->viewport_width) && sil_i_finite(desc->viewport_height) && sil_i_finite(desc->width) &&
-           sil_i_finite(desc->tolerance) && sil_i_all_finite(desc->width_scale, 4) && desc->viewport_width > 0 &&
+           sil_i_finite(desc->tolerance) && sil_i_all_finite(desc->width_scale, 5) && desc->viewport_width > 0 &&
            desc->viewport_height > 0 && sil_i_finite(desc->heavy) && sil_i_finite(desc->thin) &&
            sil_i_all_finite(desc->light, 2) && sil_i_all_finite(desc->reach, 2) && sil_i_finite(desc->taper) &&
            (desc->weight != SIL_WEIGHT_OUTER || sil_i_image_ok(desc->image)) &&
