@@ -1516,6 +1516,113 @@ static void test_smooth_borders_and_misuse(void **state) {
     assert_int_equal(c.live, 0);
 }
 
+/* ---- rubbish ---- */
+
+/* Any float: often a plain number, sometimes any bits at all. */
+static float any_float(double reach) {
+    const uint32_t bits = random_bits();
+    float value;
+    if (random_bits() % 16)
+        return (float)random_in(-reach, reach);
+    memcpy(&value, &bits, sizeof value);
+    return value;
+}
+
+static void any_floats(float *out, size_t count, double reach) {
+    size_t i;
+    for (i = 0; i < count; ++i)
+        out[i] = any_float(reach);
+}
+
+enum { RUBBISH = 40 };
+
+/* Whatever the arguments: no crash, no hang, no more than was counted, nothing but numbers in a window of usual size. */
+static void test_rubbish(void **state) {
+    static float points[3 * RUBBISH], widths[RUBBISH], along[RUBBISH], dashes[6], depth[64];
+    static sil_ribbon_vertex out[30000];
+    static sil_smooth_point smooth_points[64];
+    shape s = make_torus(8, 5, 0.4, 0);
+    sil_dashes *dashes_state = sil_dashes_create(NULL, NULL);
+    size_t drawn = 0;
+    int round;
+    (void)state;
+    for (round = 0; round < 1500; ++round) {
+        sil_ribbon_desc desc = screen_desc(points, RUBBISH);
+        sil_image image;
+        sil_strip strips[4];
+        sil_view view;
+        uint32_t vertices[RUBBISH];
+        float phases[4];
+        size_t count, i, k;
+        any_floats(points, 3 * RUBBISH, round % 3 ? 250 : 2);
+        any_floats(widths, RUBBISH, 2);
+        any_floats(along, RUBBISH, 500);
+        any_floats(phases, 4, 100);
+        any_floats(dashes, 6, 20);
+        any_floats(depth, 64, 1);
+        if (round % 4)
+            for (i = 0; i < 6; ++i)
+                dashes[i] = fabsf(dashes[i]);
+        if (round % 5 == 0)
+            any_floats(desc.model_view, 16, 2);
+        if (round % 7 == 0)
+            any_floats(desc.projection, 16, 2);
+        for (i = 0; i < RUBBISH; ++i)
+            vertices[i] = random_bits() % 8 ? random_bits() % 45 : random_bits();
+        for (i = 0; i < 4; ++i) {
+            strips[i].first = random_bits() % RUBBISH;
+            strips[i].count = random_bits() % (RUBBISH + 1 - strips[i].first);
+            strips[i].id = random_bits();
+            strips[i].kinds = random_bits() % 4 ? 1u << random_bits() % 4 : random_bits();
+            strips[i].closed = random_bits() % 2;
+        }
+        memset(&image, 0, sizeof image);
+        image.depth = depth;
+        image.width = image.height = random_bits() % 8 + (round % 3 == 0 ? 0 : 1u);
+        image.stride = random_bits() % 2 ? 8 : 0;
+        image.height = image.height > 7 ? 7 : image.height;
+        desc.image = &image;
+        desc.weight = (sil_weight)(random_bits() % 5);
+        desc.cap = (sil_cap)(random_bits() % 3);
+        desc.join = (sil_join)(random_bits() % 3);
+        desc.width = any_float(20);
+        desc.heavy = any_float(3);
+        desc.thin = any_float(3);
+        any_floats(desc.light, 2, 1);
+        any_floats(desc.reach, 2, 20);
+        desc.taper = random_bits() % 2 ? any_float(100) : 0;
+        desc.widths = random_bits() % 2 ? widths : NULL;
+        desc.along = random_bits() % 3 ? NULL : along;
+        desc.phases = random_bits() % 2 ? phases : NULL;
+        desc.dashes = random_bits() % 3 ? dashes : NULL;
+        desc.dash_count = random_bits() % 8;
+        if (round % 2)
+            desc.points = NULL;
+        if (round % 11 == 0)
+            desc.viewport_width = any_float(1000);
+        count = sil_ribbons(s.mesh, NULL, strips, 4, vertices, &desc, NULL, 0);
+        assert_int_equal(count % 3, 0);
+        assert_int_equal(sil_ribbons(s.mesh, NULL, strips, 4, vertices, &desc, out, 30000), count);
+        for (i = 0; i < count && i < 30000; ++i)
+            if (desc.viewport_width <= 1000) {
+                assert_true(isfinite(out[i].x) && isfinite(out[i].y) && isfinite(out[i].center_x) &&
+                            isfinite(out[i].arc) && out[i].depth >= 0 && out[i].depth <= 1 && out[i].slack >= 0);
+            }
+        drawn += count;
+        desc.along = NULL;
+        (void)sil_dashes_follow(dashes_state, s.mesh, NULL, strips, 4, vertices, &desc, along);
+        for (k = 0; k < 4; ++k)
+            view.eye[k] = (double)any_float(3);
+        count = sil_smooth(s.mesh, NULL, &view, random_bits() % 2 ? points : NULL, 0, random_bits() % 2, smooth_points,
+                           64, strips, 4, NULL);
+        assert_true(count <= s.index_count / 3);
+    }
+    print_message("rubbish: %zu vertices drawn\n", drawn);
+    assert_true(drawn > 20000);
+    sil_dashes_destroy(dashes_state);
+    shape_free(&s);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_widths_of_vertices),
@@ -1541,6 +1648,7 @@ int main(void) {
         cmocka_unit_test(test_smooth_closed_loops),
         cmocka_unit_test(test_smooth_torus),
         cmocka_unit_test(test_smooth_borders_and_misuse),
+        cmocka_unit_test(test_rubbish),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
