@@ -6472,8 +6472,8 @@ SIL_DEF size_t sil_ribbons(const sil_mesh *mesh, const sil_pose *pose, const sil
 
 #define SIL_I_MARK_NEAR 4.0   /* pixels: closer vertices have no mark of their own */
 #define SIL_I_MARK_FAR 8.0    /* pixels: longer segments have marks in between */
-#define SIL_I_MARK_CELL 16.0  /* pixels: the grid in which marks are found */
-#define SIL_I_MARK_REACH 12.0 /* pixels: what is farther from where it was expected is another line */
+#define SIL_I_MARK_CELL 10.0  /* pixels: the grid in which marks are found */
+#define SIL_I_MARK_REACH 10.0 /* pixels: what is farther from where it was expected is another line */
 #define SIL_I_MARK_LEAVE 3.0  /* pixels: a line is left for another only where that is closer by this */
 #define SIL_I_MARK_SLIDE 0.5  /* of the contour's motion: how far dashes may move toward being even */
 
@@ -6625,6 +6625,8 @@ static void sil_i_match_try(const sil_dashes *dashes, uint32_t i, const sil_i_be
     t = t < 0 ? 0 : t > 1 ? 1 : t;
     dx = bead->x - sil_i_mix(a->now_x, b->now_x, t);
     dy = bead->y - sil_i_mix(a->now_y, b->now_y, t);
+    if (dx * dx + dy * dy > match->distance * match->distance) /* most are */
+        return;
     turn = (ex * d[0] + ey * d[1]) / sqrt(square);
     distance = sqrt(dx * dx + dy * dy) + (continues ? 0 : SIL_I_MARK_LEAVE);
     if (sil_i_abs(turn) < 0.5 || distance > match->distance || (!(distance < match->distance) && i >= match->mark))
