@@ -381,6 +381,53 @@ SIL_DEF size_t sil_chain(const sil_mesh *mesh, sil_pose *pose, const sil_edge *e
                          sil_strip *strips, size_t strip_capacity, uint32_t *vertices, size_t vertex_capacity,
                          size_t *vertices_needed);
 
+enum { SIL_CHAIN_NO_CONCAVE = 1 }; /* flag: silhouettes that are concave are left out; they are never visible */
+
+typedef struct sil_chain_desc {
+    float corner_degrees; /* strips end where they turn by more than this; 0: nowhere */
+    float matrix[16]; /* turns are those after it. Without a viewport: affine, a model matrix for turns in the world;
+                             all zero: the mesh's own coordinates */
+    float viewport_width, viewport_height; /* > 0: matrix is projection * model_view, turns are those on the screen */
+    unsigned flags;
+} sil_chain_desc;
+
+/* sil_chain with corners: where dashes and tapers begin anew, and where a line that doubles back is cut. Every other
+   property stays, ids too. desc NULL: sil_chain. A desc that is not finite has no corners. On the screen a vertex that
+   is not before the eye is no corner; nor is one where an edge has no length. */
+SIL_DEF size_t sil_chain_corners(const sil_mesh *mesh, sil_pose *pose, const sil_chain_desc *desc,
+                                 const sil_edge *edges, size_t edge_count, sil_strip *strips, size_t strip_capacity,
+                                 uint32_t *vertices, size_t vertex_capacity, size_t *vertices_needed);
+
+/* Smooth silhouettes: where interpolated normals are at right angles to the view, through the inside of faces. What a
+   smooth surface's silhouette would be, without the zigzag and the hooks of edges; but it lies inside of the mesh's own
+   outline by up to the sagitta of an edge, and is hidden by the mesh in places: draw it with a depth test that forgives
+   as much. */
+typedef struct sil_smooth_point {
+    float position[3]; /* in the mesh's coordinates */
+    float normal[3];   /* interpolated, of length 1; zero where the normals cancel each other */
+    uint32_t edge;     /* the edge that is crossed, */
+    uint32_t a, b;     /* from the caller's vertex a to b */
+    float t;           /* at this part of it, 0 to 1 */
+} sil_smooth_point;
+
+enum {
+    SIL_SMOOTH_HERMITE = 1
+}; /* points on a cubic curve over the edge that is at right angles to the normals at both
+                                    ends, not on the edge: much closer to a smooth surface */
+
+/* normals: one a vertex, any length (stride in bytes, 0: 12); welded vertices have the sum of theirs made unit. NULL:
+   made from the faces in this pose, exact on spheres (Max 1999). n * (eye - position) is taken to be linear along
+   edges; zero counts as positive, so that each face has no crossing or two, and a mesh whose edges all have two faces
+   has closed loops in every view. Strips are ranges of points, for sil_ribbons without `vertices` (desc.points =
+   points[0].position, desc.point_stride = sizeof *points); closed ones repeat their first point; positive normals lie
+   on the left. They end at edges of one face and of three and more. Ids, kinds (SIL_SILHOUETTE) and order as in
+   sil_chain: by the smallest edge crossed, but for the order, which is by the smallest face. Scratch memory as in
+   sil_chain: 32 bytes a vertex and 1 a face. Returns the number of strips; *points_needed (may be NULL) is that of the
+   points. No eye, one that is not finite: none. 0 with *points_needed = SIZE_MAX: out of memory. */
+SIL_DEF size_t sil_smooth(const sil_mesh *mesh, sil_pose *pose, const sil_view *view, const float *normals,
+                          size_t normal_stride, unsigned flags, sil_smooth_point *points, size_t point_capacity,
+                          sil_strip *strips, size_t strip_capacity, size_t *points_needed);
+
 enum { SIL_DISTANCE_INFINITE_LINE = 1 }; /* to the endless line through each edge (Diepstraten 2002), not to the edge */
 
 typedef struct sil_distance_desc {
@@ -436,28 +483,87 @@ typedef struct sil_ribbon_vertex {
 typedef enum sil_cap { SIL_CAP_ROUND = 0, SIL_CAP_BUTT, SIL_CAP_SQUARE } sil_cap;     /* ends of a strip */
 typedef enum sil_join { SIL_JOIN_ROUND = 0, SIL_JOIN_BEVEL, SIL_JOIN_NONE } sil_join; /* between two segments */
 
+/* Which lines are heavy: the illustrators' conventions (Gooch 1999, 3.1 and 5.1.3). See LINE WEIGHTS. */
+typedef enum sil_weight {
+    SIL_WEIGHT_ONE = 0,     /* all alike */
+    SIL_WEIGHT_THICK_THIN,  /* heavy where only one of the faces at the line can be seen: silhouettes and boundaries */
+    SIL_WEIGHT_OUTER,       /* heavy where the line borders the background of `image` */
+    SIL_WEIGHT_PERSPECTIVE, /* heavy in the foreground, thin in the distance */
+    SIL_WEIGHT_LIGHT        /* silhouettes and boundaries thin toward the light, heavy away from it */
+} sil_weight;
+
+enum { SIL_IMAGE_REVERSED = 1 }; /* flag of an image: background has depth 0 */
+
+/* What the host has drawn, read back; it covers the viewport, in any number of pixels. Rows upward, as GL gives them.
+   Either depth (background: 1 and above) or, where depth is NULL, ids. */
+typedef struct sil_image {
+    const float *depth;
+    const uint32_t *ids;
+    uint32_t background; /* the id of pixels where nothing is */
+    uint32_t width, height;
+    size_t stride; /* elements from a row to the next; 0: width */
+    unsigned flags;
+} sil_image;
+
 enum { SIL_RIBBON_ZERO_TO_ONE = 1 }; /* clip space has 0 <= z <= w, as after glClipControl; default: -w <= z <= w */
 
 typedef struct sil_ribbon_desc {
     float model_view[16], projection[16]; /* reversed depth and infinite far planes are fine */
     float viewport_width, viewport_height;
-    float width;          /* pixels; 0: 1.5; at most 4096 */
-    float width_scale[4]; /* times this for silhouettes, boundaries, creases, non-manifold edges; 0: 1. A line of
-                             several kinds has that of the first */
+    float width;          /* pixels; 0: 1.5; at most 4096, factors included */
+    float width_scale[5]; /* times this for silhouettes, boundaries, creases, non-manifold edges, part borders; 0: 1. A
+                             line of several kinds has that of the first */
     float tolerance;      /* pixels that round caps and joins may lie inside the true circle; 0: 0.1 */
     sil_cap cap;
     sil_join join;
     unsigned flags;
+    sil_weight weight;
+    float heavy, thin; /* factors of the width, for `weight`; 0: 2 and 1 */
+    float light[2];    /* WEIGHT_LIGHT: on the screen, right and up, toward the light; both 0: from the upper left */
+    float reach[2];    /* WEIGHT_PERSPECTIVE: distances from the eye, along its view, at which lines are heavy and
+                               thin; both 0: those of the box around the mesh in this pose, nearest and farthest corner */
+    const sil_image *image; /* WEIGHT_OUTER */
+    const float *widths;    /* a further factor for each strip vertex, as many as `vertices`; NULL: 1. Negative and not
+                               finite: 0 */
+    float taper;            /* pixels over which the ends of open strips grow from nothing; 0: none */
+    const float *dashes;    /* pixels drawn, left out, drawn, ...; NULL: all is drawn. See DASHES */
+    size_t dash_count;      /* even, at most 64 */
+    const float *phases;    /* one a strip: where in the dashes it begins, pixels; NULL: 0 */
+    const float *along;     /* where in the dashes each strip vertex is, as many as `vertices`, in place of arc length
+                               plus phase: see sil_dashes; NULL: none */
+    const float *points;    /* strips over these places, three floats each, instead of over the mesh's vertices: see
+                               sil_smooth. mesh may be NULL then */
+    size_t point_stride, point_count; /* bytes, 0: 12 */
 } sil_ribbon_desc;
 
 /* Strips to triangles, three vertices each, in the mesh's rest or posed positions. Triangles of one line overlap at
    joins (draw them opaque, or once each by stencil) but leave no gap. Lines are clipped to the depth range, and to the
    viewport widened by the line's width: a cut outside the viewport has a cap where it cannot be seen. Neither order nor
-   winding of the triangles means anything. vertices: the array that the strips were made into. Ranges, vertices and
-   matrices that make no sense draw nothing. Whole triangles are written while there is room. */
+   winding of the triangles means anything. vertices: the array that the strips were made into; NULL, with points:
+   strips are ranges of points. Widths change linearly on the screen between two vertices. Ranges, vertices, matrices
+   and dashes that make no sense draw nothing. Whole triangles are written while there is room. */
 SIL_DEF size_t sil_ribbons(const sil_mesh *mesh, const sil_pose *pose, const sil_strip *strips, size_t strip_count,
                            const uint32_t *vertices, const sil_ribbon_desc *desc, sil_ribbon_vertex *out,
                            size_t capacity);
+
+/* Dashes that stay where they are while the contour moves. Arc length has no fixed origin on a silhouette: strips begin
+   elsewhere, join and part from frame to frame, and dashes counted from their begin jump. A sil_dashes remembers where
+   in the dashes each place of the lines was; in the next frame each strip vertex takes over what the nearest line of
+   the same kinds had, where that line's places in the mesh are now seen. Toward even dashes it then moves by no more
+   than half of what the contour moved there on the screen, so that a dash slides less than the contour under it, and
+   not at all in a still picture. One for each mesh instance. */
+typedef struct sil_dashes sil_dashes;
+SIL_DEF sil_dashes *sil_dashes_create(const sil_allocator *allocator, sil_result *result); /* NULL: malloc, free */
+SIL_DEF void sil_dashes_destroy(sil_dashes *dashes);                                       /* NULL is fine */
+SIL_DEF void sil_dashes_forget(sil_dashes *dashes); /* as if new: after a jump of the camera */
+/* Fills `along` for sil_ribbons, as many floats as `vertices` (or, with points and no vertices, as the strips' ranges
+   go): the arguments are those of sil_ribbons, with the dashes in desc; desc.along and desc.phases are not read. Once a
+   frame. Lines that were not there before begin anew, and so does a strip whose dashes would be stretched or squeezed
+   by more than half. Memory only ever grows. SIL_INVALID_ARGUMENT (as where sil_ribbons draws nothing, or without
+   dashes), SIL_OUT_OF_MEMORY: `along` is then of no use. */
+SIL_DEF sil_result sil_dashes_follow(sil_dashes *dashes, const sil_mesh *mesh, const sil_pose *pose,
+                                     const sil_strip *strips, size_t strip_count, const uint32_t *vertices,
+                                     const sil_ribbon_desc *desc, float *along);
 
 #ifdef __cplusplus
 }
@@ -666,6 +772,10 @@ static double sil_i_abs(double value) {
 
 static double sil_i_larger(double a, double b) {
     return a > b ? a : b;
+}
+
+static double sil_i_mix(double a, double b, double t) {
+    return (1 - t) * a + t * b; /* exactly a and b at 0 and 1 */
 }
 
 /* A number as sign * mantissa * 2^exponent. */
@@ -3330,9 +3440,25 @@ static int sil_i_is_singular(const double m[16]) {
     return !(sil_i_abs(sil_i_minor(m, 0, 1, 2, 3)) > 1e-14 * product);
 }
 
-SIL_DEF sil_result sil_view_from_matrices(const float model_view[16], const float projection[16], sil_view *view) {
-    double mv[16], p[16], clip[16], eye[4], toward, largest = 0;
+/* The eye of a scene, in the mesh's coordinates: the centre of projection is the point that has no place on the screen,
+   clip x, y and w are all 0 there. Returns 1 where its sign had to be turned, that is where left and right on the
+   screen are exchanged. */
+static int sil_i_eye_point(const double mv[16], const double p[16], double eye[4]) {
+    double clip[16], toward;
     int i, negate;
+    sil_i_multiply(p, mv, clip);
+    for (i = 0; i < 4; ++i)
+        eye[i] = sil_i_minor(clip, 0, 1, 3, i) * (i % 2 ? -1 : 1);
+    toward = eye[0] * mv[2] + eye[1] * mv[6] + eye[2] * mv[10] + eye[3] * mv[14];
+    negate = eye[3] < 0 || (!(eye[3] > 0) && toward < 0);
+    for (i = 0; i < 4; ++i)
+        eye[i] = negate ? -eye[i] : eye[i];
+    return negate;
+}
+
+SIL_DEF sil_result sil_view_from_matrices(const float model_view[16], const float projection[16], sil_view *view) {
+    double mv[16], p[16], eye[4], largest = 0;
+    int i;
     if (!view)
         return SIL_INVALID_ARGUMENT;
     memset(view, 0, sizeof *view);
@@ -3340,18 +3466,13 @@ SIL_DEF sil_result sil_view_from_matrices(const float model_view[16], const floa
         return SIL_INVALID_ARGUMENT;
     sil_i_widen(model_view, mv, 16);
     sil_i_widen(projection, p, 16);
-    sil_i_multiply(p, mv, clip);
-    /* The centre of projection is the point that has no place on the screen: clip x, y and w are all 0 there. */
-    for (i = 0; i < 4; ++i) {
-        eye[i] = sil_i_minor(clip, 0, 1, 3, i) * (i % 2 ? -1 : 1);
+    (void)sil_i_eye_point(mv, p, eye);
+    for (i = 0; i < 4; ++i)
         largest = sil_i_larger(largest, sil_i_abs(eye[i]));
-    }
     if (!(largest > 0) || sil_i_is_singular(mv))
         return SIL_INVALID_ARGUMENT;
-    toward = eye[0] * mv[2] + eye[1] * mv[6] + eye[2] * mv[10] + eye[3] * mv[14];
-    negate = eye[3] < 0 || (!(eye[3] > 0) && toward < 0);
     for (i = 0; i < 4; ++i)
-        view->eye[i] = (negate ? -eye[i] : eye[i]) / largest;
+        view->eye[i] = eye[i] / largest;
     return SIL_OK;
 }
 
@@ -4585,10 +4706,11 @@ SIL_DEF size_t sil_extract(const sil_mesh *mesh, sil_pose *pose, const sil_view 
 typedef struct sil_i_chains {
     const sil_mesh *mesh;
     const sil_edge *edges;
-    size_t count;    /* edges without repetition */
-    uint64_t *keys;  /* (edge << 32 | index), then (vertex << 32 | end) */
-    uint32_t *order; /* place -> index in edges */
-    uint32_t *table; /* edge -> place, open-addressed */
+    size_t count;     /* edges without repetition */
+    uint32_t without; /* edges of all these kinds are left out */
+    uint64_t *keys;   /* (edge << 32 | index), then (vertex << 32 | end) */
+    uint32_t *order;  /* place -> index in edges */
+    uint32_t *table;  /* edge -> place, open-addressed */
     size_t table_size;
     uint32_t *link; /* end -> the end that it goes on with, or SIL_NONE */
     unsigned char *done;
@@ -4660,7 +4782,7 @@ static void sil_i_chains_begin(sil_i_chains *c, size_t count, void *memory) {
     c->link = c->order + count;
     c->done = (unsigned char *)(void *)(c->link + 2 * count);
     for (i = 0, at = 0; i < count; ++i)
-        if (c->edges[i].edge < c->mesh->edge_count)
+        if (c->edges[i].edge < c->mesh->edge_count && (c->edges[i].kinds & c->without) != c->without)
             c->keys[at++] = (uint64_t)c->edges[i].edge << 32 | i;
     sil_i_sort_keys(c->keys, at);
     for (i = 0, c->count = 0; i < at; ++i)
@@ -4829,9 +4951,84 @@ static void sil_i_write_strip(const sil_i_chains *c, sil_i_strip_out *out, uint3
     ++out->strip_count;
 }
 
-SIL_DEF size_t sil_chain(const sil_mesh *mesh, sil_pose *pose, const sil_edge *edges, size_t edge_count,
-                         sil_strip *strips, size_t strip_capacity, uint32_t *vertices, size_t vertex_capacity,
-                         size_t *vertices_needed) {
+/* ---- corners of chains ---- */
+
+typedef struct sil_i_corners {
+    const sil_i_shape *shape;
+    double matrix[16], width, height; /* width 0: not on the screen */
+    double limit;                     /* radians */
+} sil_i_corners;
+
+/* Where a welded vertex is for the measure of turns; 0 where it has no place. */
+static int sil_i_corner_place(const sil_i_corners *corners, uint32_t vertex, double place[3]) {
+    const float *p = corners->shape->position + 3 * (size_t)vertex;
+    const double *m = corners->matrix;
+    double out[4];
+    int k;
+    for (k = 0; k < 4; ++k)
+        out[k] = m[k] * (double)p[0] + m[4 + k] * (double)p[1] + m[8 + k] * (double)p[2] + m[12 + k];
+    memcpy(place, out, 3 * sizeof *place);
+    if (!(corners->width > 0))
+        return !corners->shape->bad[vertex];
+    place[0] = 0.5 * corners->width * out[0] / out[3];
+    place[1] = 0.5 * corners->height * out[1] / out[3];
+    place[2] = 0;
+    return out[3] > 0 && !corners->shape->bad[vertex];
+}
+
+/* The angle by which a line turns at p[1] on its way from p[0] to p[2]; 0 where it has no direction. Its tangent, not
+   its cosine, is precise for small angles. */
+static double sil_i_turning(double p[3][3]) {
+    double u[3], v[3], c[3], dot = 0;
+    int k;
+    for (k = 0; k < 3; ++k) {
+        u[k] = p[1][k] - p[0][k];
+        v[k] = p[2][k] - p[1][k];
+        dot += u[k] * v[k];
+    }
+    for (k = 0; k < 3; ++k)
+        c[k] = u[(k + 1) % 3] * v[(k + 2) % 3] - u[(k + 2) % 3] * v[(k + 1) % 3];
+    return atan2(sqrt(c[0] * c[0] + c[1] * c[1] + c[2] * c[2]), dot);
+}
+
+static void sil_i_unlink_corners(const sil_i_chains *c, const sil_i_corners *corners) {
+    double p[3][3];
+    uint32_t end;
+    for (end = 0; end < 2 * c->count; ++end) {
+        const uint32_t other = c->link[end];
+        if (other == SIL_NONE || other < end)
+            continue;
+        if (sil_i_corner_place(corners, sil_i_end_vertex(c, end ^ 1u), p[0]) &&
+            sil_i_corner_place(corners, sil_i_end_vertex(c, end), p[1]) &&
+            sil_i_corner_place(corners, sil_i_end_vertex(c, other ^ 1u), p[2]) && sil_i_turning(p) > corners->limit)
+            c->link[end] = c->link[other] = SIL_NONE;
+    }
+}
+
+static void sil_i_cut_corners(const sil_i_chains *c, const sil_pose *pose, const sil_chain_desc *desc) {
+    sil_i_corners corners;
+    int i, given = 0;
+    if (!(desc->corner_degrees > 0) || !sil_i_finite(desc->corner_degrees) || !sil_i_all_finite(desc->matrix, 16) ||
+        !sil_i_finite(desc->viewport_width) || !sil_i_finite(desc->viewport_height))
+        return;
+    memset(&corners, 0, sizeof corners);
+    corners.shape = sil_i_shape_of(c->mesh, pose);
+    corners.limit = (double)desc->corner_degrees * (SIL_I_PI / 180);
+    sil_i_widen(desc->matrix, corners.matrix, 16);
+    for (i = 0; i < 16; ++i)
+        given |= sil_i_abs(corners.matrix[i]) > 0;
+    for (i = 0; !given && i < 4; ++i)
+        corners.matrix[5 * i] = 1;
+    if (desc->viewport_width > 0 && desc->viewport_height > 0) {
+        corners.width = (double)desc->viewport_width;
+        corners.height = (double)desc->viewport_height;
+    }
+    sil_i_unlink_corners(c, &corners);
+}
+
+SIL_DEF size_t sil_chain_corners(const sil_mesh *mesh, sil_pose *pose, const sil_chain_desc *desc,
+                                 const sil_edge *edges, size_t edge_count, sil_strip *strips, size_t strip_capacity,
+                                 uint32_t *vertices, size_t vertex_capacity, size_t *vertices_needed) {
     sil_i_chains c;
     sil_i_strip_out out;
     void *memory;
@@ -4854,9 +5051,12 @@ SIL_DEF size_t sil_chain(const sil_mesh *mesh, sil_pose *pose, const sil_edge *e
     memset(&c, 0, sizeof c);
     c.mesh = mesh;
     c.edges = edges;
+    c.without = desc && desc->flags & SIL_CHAIN_NO_CONCAVE ? SIL_SILHOUETTE | SIL_CONCAVE : SIL_NONE;
     sil_i_chains_begin(&c, edge_count, memory);
     sil_i_link_turns(&c);
     sil_i_link_pairs(&c);
+    if (desc)
+        sil_i_cut_corners(&c, pose, desc);
     for (i = 0; i < c.count; ++i)
         if (!c.done[i])
             sil_i_write_strip(&c, &out, i);
@@ -4865,6 +5065,301 @@ SIL_DEF size_t sil_chain(const sil_mesh *mesh, sil_pose *pose, const sil_edge *e
     if (vertices_needed)
         *vertices_needed = out.vertex_count;
     return out.strip_count;
+}
+
+SIL_DEF size_t sil_chain(const sil_mesh *mesh, sil_pose *pose, const sil_edge *edges, size_t edge_count,
+                         sil_strip *strips, size_t strip_capacity, uint32_t *vertices, size_t vertex_capacity,
+                         size_t *vertices_needed) {
+    return sil_chain_corners(mesh, pose, NULL, edges, edge_count, strips, strip_capacity, vertices, vertex_capacity,
+                             vertices_needed);
+}
+
+/* ---- smooth silhouettes ---- */
+
+typedef struct sil_i_smooth {
+    const sil_mesh *mesh;
+    const sil_i_shape *shape;
+    double eye[4];
+    double *value;       /* of each welded vertex: n * (eye - w * position) */
+    double *normal;      /* x y z, of length 1 or 0 */
+    unsigned char *done; /* faces */
+    unsigned flags;
+    sil_smooth_point *points;
+    size_t point_capacity, point_count;
+    sil_strip *strips;
+    size_t strip_capacity, strip_count;
+} sil_i_smooth;
+
+static double sil_i_dot(const double a[3], const double b[3]) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static void sil_i_make_unit(double v[3]) {
+    const double square = sil_i_dot(v, v), length = sqrt(square);
+    int k;
+    for (k = 0; k < 3; ++k)
+        v[k] = square > 0 && square < 1e300 ? v[k] / length : 0;
+}
+
+/* Sums of the normals that were given. Those that are not finite are left out. */
+static void sil_i_smooth_given(const sil_i_smooth *s, const float *normals, size_t stride) {
+    size_t i;
+    int k;
+    for (i = 0; i < s->mesh->vertex_count; ++i) {
+        float n[3];
+        double unit[3];
+        memcpy(n, (const char *)(const void *)normals + stride * i, sizeof n);
+        if (s->mesh->welded[i] >= s->mesh->unique_count || !sil_i_all_finite(n, 3))
+            continue;
+        sil_i_widen(n, unit, 3);
+        sil_i_make_unit(unit);
+        for (k = 0; k < 3; ++k)
+            s->normal[3 * (size_t)s->mesh->welded[i] + (size_t)k] += unit[k];
+    }
+}
+
+/* Normals from the faces, by Max's weights (Journal of Graphics Tools 4, 1999): the cross product of a corner's sides
+   over the squares of their lengths. No angle is needed, and on a sphere the sum is exact. */
+static void sil_i_smooth_made(const sil_i_smooth *s) {
+    const sil_mesh *mesh = s->mesh;
+    size_t i;
+    int k;
+    for (i = 0; i < 3 * mesh->face_count; ++i) {
+        const size_t face = i - i % 3;
+        const float *p = s->shape->position + 3 * (size_t)mesh->corner[i];
+        const float *q = s->shape->position + 3 * (size_t)mesh->corner[face + (i + 1) % 3];
+        const float *r = s->shape->position + 3 * (size_t)mesh->corner[face + (i + 2) % 3];
+        double u[3], v[3], weight;
+        for (k = 0; k < 3; ++k) {
+            u[k] = (double)q[k] - (double)p[k];
+            v[k] = (double)r[k] - (double)p[k];
+        }
+        weight = sil_i_dot(u, u) * sil_i_dot(v, v);
+        if (weight > 0)
+            for (k = 0; k < 3; ++k)
+                s->normal[3 * (size_t)mesh->corner[i] + (size_t)k] +=
+                    (u[(k + 1) % 3] * v[(k + 2) % 3] - u[(k + 2) % 3] * v[(k + 1) % 3]) / weight;
+    }
+}
+
+static double sil_i_smooth_value(const sil_i_smooth *s, const double normal[3], const double place[3]) {
+    double sum = 0;
+    int k;
+    for (k = 0; k < 3; ++k)
+        sum += normal[k] * (s->eye[k] - s->eye[3] * place[k]);
+    return sum;
+}
+
+static void sil_i_smooth_values(const sil_i_smooth *s) {
+    size_t i;
+    for (i = 0; i < s->mesh->unique_count; ++i) {
+        double place[3];
+        sil_i_widen(s->shape->position + 3 * i, place, 3);
+        sil_i_make_unit(s->normal + 3 * i);
+        s->value[i] = sil_i_smooth_value(s, s->normal + 3 * i, place);
+    }
+}
+
+/* The side of a face, 0 to 2, where the value falls from positive to negative (falls = 1) or rises; 3: there is none. */
+static uint32_t sil_i_smooth_side(const sil_i_smooth *s, uint32_t face, int falls) {
+    const uint32_t *corner = s->mesh->corner + 3 * (size_t)face;
+    uint32_t i;
+    for (i = 0; i < 3; ++i)
+        if (s->shape->bad_count && s->shape->bad[corner[i]])
+            return 3;
+    for (i = 0; i < 3; ++i) {
+        const int from = s->value[corner[i]] >= 0, to = s->value[corner[(i + 1) % 3]] >= 0;
+        if (from != to && from == falls)
+            return i;
+    }
+    return 3;
+}
+
+/* From a crossed edge of a face through it to the other one. */
+static uint32_t sil_i_smooth_other(const sil_i_smooth *s, uint32_t face, uint32_t edge) {
+    const uint32_t *edges = s->mesh->face_edge + 3 * (size_t)face;
+    const uint32_t in = edges[sil_i_smooth_side(s, face, 1)], out = edges[sil_i_smooth_side(s, face, 0)];
+    return in == edge ? out : in;
+}
+
+/* The face on the other side of a crossed edge, SIL_NONE where the line ends. */
+static uint32_t sil_i_smooth_across(const sil_i_smooth *s, uint32_t face, uint32_t edge) {
+    const uint32_t other = sil_i_across(s->mesh, edge, face);
+    return other == SIL_NONE || sil_i_smooth_side(s, other, 1) == 3 ? SIL_NONE : other;
+}
+
+/* The cubic over an edge from a to b that is at right angles to both normals. */
+static void sil_i_smooth_curve(const double a[3], const double b[3], const double *na, const double *nb, double t,
+                               double out[3]) {
+    double d[3], along_a, along_b;
+    int k;
+    for (k = 0; k < 3; ++k)
+        d[k] = b[k] - a[k];
+    along_a = sil_i_dot(d, na);
+    along_b = sil_i_dot(d, nb);
+    for (k = 0; k < 3; ++k) {
+        const double from = d[k] - along_a * na[k], to = d[k] - along_b * nb[k], r = 1 - t;
+        out[k] = r * r * (1 + 2 * t) * a[k] + t * t * (3 - 2 * t) * b[k] + t * r * (r * from - t * to);
+    }
+}
+
+/* The crossing on the cubic between t = 0 and 1, where the value has different signs, by regula falsi; an end that
+   stays twice counts half (the Illinois rule), so that both close in. */
+static double sil_i_smooth_root(const sil_i_smooth *s, const double a[3], const double b[3], const double *na,
+                                const double *nb, double low_value, double high_value) {
+    double low = 0, high = 1, t = 0.5, place[3], normal[3];
+    int step, k, stayed = 0;
+    for (step = 0; step < 24 && high - low > 1e-12; ++step) {
+        double value;
+        t = low_value / (low_value - high_value);
+        t = low + (t > 0 ? t < 1 ? t : 1 : 0) * (high - low);
+        sil_i_smooth_curve(a, b, na, nb, t, place);
+        for (k = 0; k < 3; ++k)
+            normal[k] = sil_i_mix(na[k], nb[k], t);
+        value = sil_i_smooth_value(s, normal, place);
+        if (!(sil_i_abs(value) > 0))
+            break;
+        if ((value > 0) == (low_value > 0)) {
+            high_value *= stayed == 1 ? 0.5 : 1;
+            low = t;
+            low_value = value;
+            stayed = 1;
+        } else {
+            low_value *= stayed == 2 ? 0.5 : 1;
+            high = t;
+            high_value = value;
+            stayed = 2;
+        }
+    }
+    return t;
+}
+
+static void sil_i_smooth_write(sil_i_smooth *s, uint32_t edge) {
+    const uint32_t *v = s->mesh->edge_vertex + 2 * (size_t)edge;
+    const double *na = s->normal + 3 * (size_t)v[0], *nb = s->normal + 3 * (size_t)v[1];
+    const double from = s->value[v[0]], to = s->value[v[1]];
+    const size_t at = s->point_count++;
+    double a[3], b[3], place[3], normal[3], t;
+    sil_smooth_point *point;
+    int k;
+    if (!s->points || at >= s->point_capacity)
+        return;
+    point = &s->points[at];
+    sil_i_widen(s->shape->position + 3 * (size_t)v[0], a, 3);
+    sil_i_widen(s->shape->position + 3 * (size_t)v[1], b, 3);
+    t = from / (from - to); /* one is negative and the other is not */
+    t = t > 0 ? t < 1 ? t : 1 : 0;
+    if (s->flags & SIL_SMOOTH_HERMITE) {
+        t = sil_i_abs(from) > 0 ? sil_i_smooth_root(s, a, b, na, nb, from, to) : 0;
+        sil_i_smooth_curve(a, b, na, nb, t, place);
+    }
+    for (k = 0; k < 3; ++k) {
+        if (!(s->flags & SIL_SMOOTH_HERMITE))
+            place[k] = sil_i_mix(a[k], b[k], t);
+        normal[k] = sil_i_mix(na[k], nb[k], t);
+    }
+    sil_i_make_unit(normal);
+    for (k = 0; k < 3; ++k) {
+        point->position[k] = (float)place[k];
+        point->normal[k] = (float)normal[k];
+    }
+    point->edge = edge;
+    point->a = s->mesh->origin[v[0]];
+    point->b = s->mesh->origin[v[1]];
+    point->t = (float)t;
+}
+
+/* The line through a face: back to where it begins, or to the face itself, then forward. */
+static void sil_i_smooth_strip(sil_i_smooth *s, uint32_t face) {
+    const uint32_t start = face, *edges = s->mesh->face_edge + 3 * (size_t)face;
+    const size_t first = s->point_count;
+    uint32_t edge = edges[sil_i_smooth_side(s, face, 1)], next, id;
+    int closed = 0;
+    while ((next = sil_i_smooth_across(s, face, edge)) != SIL_NONE && !closed) {
+        face = next;
+        edge = sil_i_smooth_other(s, face, edge);
+        closed = face == start;
+    }
+    if (closed) /* once around: the edge by which it came back in */
+        edge = edges[sil_i_smooth_side(s, start, 1)];
+    id = edge;
+    sil_i_smooth_write(s, edge);
+    for (next = face; next != SIL_NONE && !s->done[next]; next = sil_i_smooth_across(s, face, edge)) {
+        face = next;
+        s->done[face] = 1;
+        edge = sil_i_smooth_other(s, face, edge);
+        id = edge < id ? edge : id;
+        sil_i_smooth_write(s, edge);
+    }
+    if (s->strips && s->strip_count < s->strip_capacity) {
+        sil_strip *strip = &s->strips[s->strip_count];
+        strip->first = (uint32_t)first;
+        strip->count = (uint32_t)(s->point_count - first);
+        strip->id = id;
+        strip->kinds = SIL_SILHOUETTE;
+        strip->closed = (uint32_t)closed;
+    }
+    ++s->strip_count;
+}
+
+/* The eye with its largest coordinate 1 and w not negative; 0 where it is none. */
+static int sil_i_smooth_eye(const sil_view *view, double eye[4]) {
+    double largest = 0;
+    int k, finite = 1;
+    for (k = 0; k < 4; ++k) {
+        (void)sil_i_from_double(view->eye[k], &finite);
+        largest = sil_i_larger(largest, sil_i_abs(view->eye[k]));
+    }
+    if (!finite || !(largest > 0))
+        return 0;
+    for (k = 0; k < 4; ++k)
+        eye[k] = (view->eye[3] < 0 ? -view->eye[k] : view->eye[k]) / largest;
+    return 1;
+}
+
+SIL_DEF size_t sil_smooth(const sil_mesh *mesh, sil_pose *pose, const sil_view *view, const float *normals,
+                          size_t normal_stride, unsigned flags, sil_smooth_point *points, size_t point_capacity,
+                          sil_strip *strips, size_t strip_capacity, size_t *points_needed) {
+    sil_i_smooth s;
+    void *memory;
+    uint32_t face;
+    memset(&s, 0, sizeof s);
+    if (points_needed)
+        *points_needed = 0;
+    if (!mesh || !view || (pose && pose->mesh != mesh) || (normal_stride && normal_stride < 3 * sizeof(float)) ||
+        !sil_i_smooth_eye(view, s.eye))
+        return 0;
+    memory = sil_i_scratch(mesh, pose, mesh->unique_count * 4 * sizeof(double) + mesh->face_count + 1);
+    if (!memory) {
+        if (points_needed)
+            *points_needed = (size_t)-1;
+        return 0;
+    }
+    s.mesh = mesh;
+    s.shape = sil_i_shape_of(mesh, pose);
+    s.normal = (double *)memory;
+    s.value = s.normal + 3 * mesh->unique_count;
+    s.done = (unsigned char *)(void *)(s.value + mesh->unique_count);
+    s.flags = flags;
+    s.points = points;
+    s.point_capacity = point_capacity;
+    s.strips = strips;
+    s.strip_capacity = strip_capacity;
+    memset(s.normal, 0, 3 * mesh->unique_count * sizeof *s.normal);
+    memset(s.done, 0, mesh->face_count);
+    if (normals)
+        sil_i_smooth_given(&s, normals, normal_stride ? normal_stride : 3 * sizeof(float));
+    else
+        sil_i_smooth_made(&s);
+    sil_i_smooth_values(&s);
+    for (face = 0; face < mesh->face_count; ++face)
+        if (!s.done[face] && sil_i_smooth_side(&s, face, 1) < 3)
+            sil_i_smooth_strip(&s, face);
+    if (!pose)
+        sil_i_give(&mesh->allocator, memory);
+    if (points_needed)
+        *points_needed = s.point_count;
+    return s.strip_count;
 }
 
 /* ---- distances ---- */
@@ -5699,29 +6194,52 @@ SIL_DEF float sil_max_distance(const sil_mesh *mesh, const sil_pose *pose, const
 
 /* ---- ribbons ---- */
 
+#define SIL_I_DASHES 64       /* lengths in a pattern */
+#define SIL_I_PERIODS 65536.0 /* of dashes in one segment; more are drawn as a whole line */
+#define SIL_I_TURN 1048576.0  /* arc, as it is given out, starts again there */
+#define SIL_I_OUTER_STEP 2.0  /* pixels from one look at the image to the next */
+#define SIL_I_OUTER_RAMP 8.0  /* pixels in which a line goes from thin to heavy */
+
 /* Where a point is drawn. */
 typedef struct sil_i_spot {
     double x, y, depth, slack, arc;
+    double along; /* in the dashes */
+    double half;  /* of the width */
 } sil_i_spot;
 
+/* A vertex of a strip, before anything is cut. */
+typedef struct sil_i_stop {
+    double clip[4], along, half;
+    int known;
+} sil_i_stop;
+
 typedef struct sil_i_pen {
-    const sil_mesh *mesh;
+    const sil_mesh *mesh; /* NULL: desc->points */
     const sil_i_shape *shape;
+    const sil_ribbon_desc *desc;
     double model_view[16], projection[16];
-    double width, height;    /* viewport */
-    double half;             /* of the strip's width */
+    double width, height;          /* viewport */
+    double heavy, thin;            /* factors */
+    double light[2];               /* on the screen, of length 1, or its opposite where left and right are exchanged */
+    double reach[2];               /* where lines are heavy and thin */
+    double low;                    /* clip z >= low * w: -1 or 0 */
+    double dash_end[SIL_I_DASHES]; /* pixels from the pattern's begin */
+    size_t dash_count;
+    const sil_strip *strip;
+    const uint32_t *vertices;
+    double half;             /* of the strip's width, before the factors of its vertices */
     double step;             /* largest angle of one part of a round cap or join */
-    double low;              /* clip z >= low * w: -1 or 0 */
     double guard_x, guard_y; /* |clip x| <= guard_x * w */
-    sil_cap cap;
-    sil_join join;
-    uint32_t kinds;
-    double arc;          /* so far along the strip, unclipped */
-    sil_i_spot last;     /* where the pen is */
-    double direction[2]; /* of the segment before */
-    int down;            /* a segment ended at `last` */
-    int started;         /* something of the strip was drawn */
-    int dotted;          /* something of it was to be drawn that has no length, at `dot` */
+    double phase, length;    /* of the strip; its length is known where it has a taper */
+    double arc;              /* so far along the strip, unclipped */
+    double arc_turn;         /* what is taken off an arc that is given out */
+    double level;            /* WEIGHT_OUTER: from 0, thin, to 1, heavy; negative: not known yet */
+    sil_i_spot last;         /* where the pen is */
+    double direction[2];     /* of the segment before */
+    double way[2];           /* of the piece that is cut into dashes */
+    int down;                /* a segment ended at `last` */
+    int started;             /* something of the strip was drawn */
+    int dotted;              /* something of it was to be drawn that has no length, at `dot` */
     sil_i_spot dot;
     int joins_start; /* the first segment began uncut in a closed strip: the cap there waits for the end */
     sil_i_spot start;
@@ -5731,7 +6249,7 @@ typedef struct sil_i_pen {
 } sil_i_pen;
 
 /* One corner: an offset from a spot on the centre line. */
-static void sil_i_pen_vertex(sil_i_pen *pen, const sil_i_spot *spot, double dx, double dy, double arc, size_t at) {
+static void sil_i_pen_vertex(sil_i_pen *pen, const sil_i_spot *spot, double dx, double dy, size_t at) {
     sil_ribbon_vertex *v = &pen->out[at];
     v->x = (float)(spot->x + dx);
     v->y = (float)(spot->y + dy);
@@ -5739,17 +6257,17 @@ static void sil_i_pen_vertex(sil_i_pen *pen, const sil_i_spot *spot, double dx, 
     v->slack = (float)spot->slack;
     v->center_x = (float)spot->x;
     v->center_y = (float)spot->y;
-    v->arc = (float)arc;
-    v->kinds = pen->kinds;
+    v->arc = (float)sil_i_larger(spot->arc - pen->arc_turn, 0);
+    v->kinds = pen->strip->kinds;
 }
 
 /* A triangle with corners at three spots, offset by o[0..1], o[2..3], o[4..5]. */
 static void sil_i_pen_triangle(sil_i_pen *pen, const sil_i_spot *a, const sil_i_spot *b, const sil_i_spot *c,
                                const double o[6]) {
     if (pen->out && pen->capacity >= 3 && pen->count <= pen->capacity - 3) {
-        sil_i_pen_vertex(pen, a, o[0], o[1], a->arc, pen->count);
-        sil_i_pen_vertex(pen, b, o[2], o[3], b->arc, pen->count + 1);
-        sil_i_pen_vertex(pen, c, o[4], o[5], c->arc, pen->count + 2);
+        sil_i_pen_vertex(pen, a, o[0], o[1], pen->count);
+        sil_i_pen_vertex(pen, b, o[2], o[3], pen->count + 1);
+        sil_i_pen_vertex(pen, c, o[4], o[5], pen->count + 2);
     }
     pen->count += 3;
 }
@@ -5776,11 +6294,13 @@ static int sil_i_pen_parts(const sil_i_pen *pen, double angle) {
 }
 
 static void sil_i_pen_cap(sil_i_pen *pen, const sil_i_spot *spot, double dx, double dy) {
-    const double n[2] = {dy * pen->half, -dx * pen->half}; /* to the right of the way out */
-    if (pen->cap == SIL_CAP_ROUND)
+    const double n[2] = {dy * spot->half, -dx * spot->half}; /* to the right of the way out */
+    if (!(spot->half > 0))
+        return;
+    if (pen->desc->cap == SIL_CAP_ROUND)
         sil_i_pen_fan(pen, spot, n, SIL_I_PI, sil_i_pen_parts(pen, SIL_I_PI));
-    if (pen->cap == SIL_CAP_SQUARE) {
-        const double x = dx * pen->half, y = dy * pen->half;
+    if (pen->desc->cap == SIL_CAP_SQUARE) {
+        const double x = dx * spot->half, y = dy * spot->half;
         double o[6];
         o[0] = n[0];
         o[1] = n[1];
@@ -5801,34 +6321,37 @@ static void sil_i_pen_cap(sil_i_pen *pen, const sil_i_spot *spot, double dx, dou
 static void sil_i_pen_join(sil_i_pen *pen, const sil_i_spot *spot, const double from[2], const double to[2]) {
     const double cross = from[0] * to[1] - from[1] * to[0], dot = from[0] * to[0] + from[1] * to[1];
     const double angle = atan2(cross, dot), side = angle > 0 ? 1 : -1; /* a line that turns back: either */
-    const double n[2] = {side * from[1] * pen->half, -side * from[0] * pen->half};
-    if (pen->join == SIL_JOIN_NONE || sil_i_abs(angle) * pen->half < 1e-4)
+    const double n[2] = {side * from[1] * spot->half, -side * from[0] * spot->half};
+    if (pen->desc->join == SIL_JOIN_NONE || sil_i_abs(angle) * spot->half < 1e-4)
         return;
-    if (pen->join == SIL_JOIN_ROUND)
+    if (pen->desc->join == SIL_JOIN_ROUND)
         sil_i_pen_fan(pen, spot, n, angle, sil_i_pen_parts(pen, angle));
     else {
         double o[6] = {0, 0, 0, 0, 0, 0};
         o[2] = n[0];
         o[3] = n[1];
-        o[4] = side * to[1] * pen->half;
-        o[5] = -side * to[0] * pen->half;
+        o[4] = side * to[1] * spot->half;
+        o[5] = -side * to[0] * spot->half;
         sil_i_pen_triangle(pen, spot, spot, spot, o);
     }
 }
 
 static void sil_i_pen_quad(sil_i_pen *pen, const sil_i_spot *a, const sil_i_spot *b, const double d[2]) {
-    const double x = -d[1] * pen->half, y = d[0] * pen->half;
     double o[6];
-    o[0] = x;
-    o[1] = y;
-    o[2] = -x;
-    o[3] = -y;
-    o[4] = x;
-    o[5] = y;
+    if (!(a->half > 0 || b->half > 0))
+        return;
+    o[0] = -d[1] * a->half;
+    o[1] = d[0] * a->half;
+    o[2] = -o[0];
+    o[3] = -o[1];
+    o[4] = -d[1] * b->half;
+    o[5] = d[0] * b->half;
     sil_i_pen_triangle(pen, a, a, b, o);
-    o[0] = -x;
-    o[1] = -y;
-    sil_i_pen_triangle(pen, a, b, b, o); /* o[2..3] and o[4..5] as before: right and left at b */
+    o[0] = o[2];
+    o[1] = o[3];
+    o[2] = -o[4];
+    o[3] = -o[5];
+    sil_i_pen_triangle(pen, a, b, b, o);
 }
 
 /* Depth per motion of one pixel's size toward the eye. With J the derivative of the place on the screen, in pixels, by
@@ -5866,19 +6389,38 @@ static void sil_i_spot_clamp(const sil_i_pen *pen, sil_i_spot *spot) {
     spot->y = spot->y < -y ? -y : spot->y > pen->height + y ? pen->height + y : spot->y;
 }
 
-/* The spot of the point at t between two points in clip space. */
-static sil_i_spot sil_i_spot_at(const sil_i_pen *pen, const double *a, const double *b, double t) {
+static double sil_i_gap(const sil_i_spot *a, const sil_i_spot *b) {
+    return sqrt((b->x - a->x) * (b->x - a->x) + (b->y - a->y) * (b->y - a->y));
+}
+
+/* The spot of the point at t between two vertices; its arc is not known yet. */
+static sil_i_spot sil_i_spot_at(const sil_i_pen *pen, const sil_i_stop *a, const sil_i_stop *b, double t) {
     sil_i_spot spot;
     double clip[4], depth;
     int k;
-    memset(&spot, 0, sizeof spot);
     for (k = 0; k < 4; ++k)
-        clip[k] = (1 - t) * a[k] + t * b[k]; /* exactly a and b at 0 and 1 */
+        clip[k] = sil_i_mix(a->clip[k], b->clip[k], t);
     depth = clip[2] / clip[3];
     sil_i_screen(pen, clip, &spot.x, &spot.y);
     depth = pen->low < 0 ? 0.5 * depth + 0.5 : depth;
     spot.depth = depth < 0 ? 0 : depth > 1 ? 1 : depth;
     spot.slack = sil_i_slack(pen, clip);
+    spot.arc = 0;
+    spot.along = sil_i_mix(a->along, b->along, t);
+    spot.half = sil_i_mix(a->half, b->half, t);
+    return spot;
+}
+
+/* The spot at t between two spots of one segment, where everything is linear on the screen. */
+static sil_i_spot sil_i_spot_mix(const sil_i_spot *a, const sil_i_spot *b, double t) {
+    sil_i_spot spot;
+    spot.x = sil_i_mix(a->x, b->x, t);
+    spot.y = sil_i_mix(a->y, b->y, t);
+    spot.depth = sil_i_mix(a->depth, b->depth, t);
+    spot.slack = sil_i_mix(a->slack, b->slack, t);
+    spot.arc = sil_i_mix(a->arc, b->arc, t);
+    spot.along = sil_i_mix(a->along, b->along, t);
+    spot.half = sil_i_mix(a->half, b->half, t);
     return spot;
 }
 
@@ -5917,19 +6459,25 @@ static void sil_i_pen_lift(sil_i_pen *pen) {
 
 /* Draws to a spot from where the pen is (down) or from `from`. `keep_cap`: the start of a closed strip. */
 static void sil_i_pen_draw(sil_i_pen *pen, const sil_i_spot *from, const sil_i_spot *to, int keep_cap) {
-    const sil_i_spot start = pen->down ? pen->last : *from;
-    const double dx = to->x - start.x, dy = to->y - start.y, length = sqrt(dx * dx + dy * dy);
-    double d[2];
+    sil_i_spot start = *from;
+    double length, d[2];
+    if (pen->down) { /* short segments that were left out may lie between */
+        start.x = pen->last.x;
+        start.y = pen->last.y;
+    }
+    length = sil_i_gap(&start, to);
     if (length < 1e-4) { /* too short to have a direction: the next segment begins where this one did */
         pen->dotted = 1;
         pen->dot = start;
         return;
     }
-    d[0] = dx / length;
-    d[1] = dy / length;
-    if (pen->down)
-        sil_i_pen_join(pen, &start, pen->direction, d);
-    else if (keep_cap) {
+    d[0] = (to->x - start.x) / length;
+    d[1] = (to->y - start.y) / length;
+    if (pen->down) {
+        sil_i_spot corner = start;
+        corner.half = sil_i_larger(start.half, pen->last.half);
+        sil_i_pen_join(pen, &corner, pen->direction, d);
+    } else if (keep_cap) {
         pen->joins_start = 1;
         pen->start = start;
         memcpy(pen->start_direction, d, sizeof d);
@@ -5941,90 +6489,392 @@ static void sil_i_pen_draw(sil_i_pen *pen, const sil_i_spot *from, const sil_i_s
     pen->down = pen->started = 1;
 }
 
-/* A strip that is a point on the screen. */
-static void sil_i_pen_dot(sil_i_pen *pen) {
-    const double n[2] = {pen->half, 0};
-    if (pen->cap == SIL_CAP_ROUND)
-        sil_i_pen_fan(pen, &pen->dot, n, 2 * SIL_I_PI, sil_i_pen_parts(pen, 2 * SIL_I_PI));
-    if (pen->cap == SIL_CAP_SQUARE) {
-        sil_i_pen_cap(pen, &pen->dot, 1, 0);
-        sil_i_pen_cap(pen, &pen->dot, -1, 0);
+/* A strip or a dash that is a point on the screen. */
+static void sil_i_pen_dot(sil_i_pen *pen, const sil_i_spot *spot, double dx, double dy) {
+    const double n[2] = {spot->half, 0};
+    if (pen->desc->cap == SIL_CAP_ROUND && spot->half > 0)
+        sil_i_pen_fan(pen, spot, n, 2 * SIL_I_PI, sil_i_pen_parts(pen, 2 * SIL_I_PI));
+    if (pen->desc->cap == SIL_CAP_SQUARE) {
+        sil_i_pen_cap(pen, spot, dx, dy);
+        sil_i_pen_cap(pen, spot, -dx, -dy);
     }
 }
 
-/* One segment, between two points in clip space. */
-static void sil_i_pen_segment(sil_i_pen *pen, const double *a, const double *b, int keep_cap) {
-    double t[2] = {0, 1}, near_x, near_y, x, y;
-    const double turn = 1048576.0; /* arc starts again there */
-    sil_i_spot from, to;
-    if (!sil_i_cut_depth(pen, a, b, t)) {
+/* ---- ribbons: dashes, tapers, outer lines ---- */
+
+/* One interval of the dashes, drawn or left out; `ends`: the piece ends where the interval does. */
+static void sil_i_pen_dash(sil_i_pen *pen, const sil_i_spot *from, const sil_i_spot *to, size_t index, int ends,
+                           int keep_cap) {
+    const double low = index ? pen->dash_end[index - 1] : 0;
+    if (index & 1)
+        sil_i_pen_lift(pen);
+    else if (pen->dash_end[index] > low)
+        sil_i_pen_draw(pen, from, to, keep_cap);
+    if (ends) {
+        sil_i_pen_lift(pen);
+        if (!(index & 1) && !(pen->dash_end[index] > low))
+            sil_i_pen_dot(pen, to, pen->way[0], pen->way[1]);
+    }
+}
+
+/* A piece of a segment, cut where its dashes end; `along` may run either way. Boundaries come from counting intervals
+   and never from adding lengths up, so that each is passed once. */
+static void sil_i_pen_dashes(sil_i_pen *pen, const sil_i_spot *from, const sil_i_spot *to, int keep_cap) {
+    const size_t count = pen->dash_count;
+    const double span = to->along - from->along, period = count ? pen->dash_end[count - 1] : 0;
+    const double *end = pen->dash_end;
+    const double length = sil_i_gap(from, to);
+    double turn, rest;
+    sil_i_spot at = *from;
+    size_t i = 0;
+    if (!count || !(sil_i_abs(span) <= SIL_I_PERIODS * period) || !(sil_i_abs(from->along) <= 1e12 * period)) {
+        sil_i_pen_draw(pen, from, to, keep_cap);
+        return;
+    }
+    pen->way[0] = length > 0 ? (to->x - from->x) / length : 1;
+    pen->way[1] = length > 0 ? (to->y - from->y) / length : 0;
+    turn = floor(from->along / period);
+    rest = from->along - turn * period;
+    while (i + 1 < count && (end[i] < rest || (end[i] <= rest && (i ? end[i - 1] : 0) < end[i])))
+        ++i;
+    for (;;) {
+        const double bound = turn * period + (span < 0 ? (i ? end[i - 1] : 0) : end[i]);
+        const int ends = span < 0 ? bound > to->along : bound < to->along;
+        const double t = ends ? (bound - from->along) / span : 1;
+        const sil_i_spot next = ends ? sil_i_spot_mix(from, to, t > 0 ? t : 0) : *to;
+        sil_i_pen_dash(pen, &at, &next, i, ends, keep_cap);
+        if (!ends)
+            return;
+        keep_cap = 0;
+        at = next;
+        if (span < 0) {
+            turn -= i == 0;
+            i = (i ? i : count) - 1;
+        } else {
+            turn += i + 1 == count;
+            i = (i + 1) % count;
+        }
+    }
+}
+
+/* Is there nothing at a place on the screen? Beyond the image's border it is as at the border. */
+static int sil_i_is_background(const sil_i_pen *pen, double x, double y) {
+    const sil_image *image = pen->desc->image;
+    const size_t stride = image->stride ? image->stride : image->width;
+    const double u = x / pen->width * image->width, v = y / pen->height * image->height;
+    const size_t column = !(u > 0) ? 0 : u < image->width ? (size_t)u : image->width - 1u;
+    const size_t row = !(v > 0) ? 0 : v < image->height ? (size_t)v : image->height - 1u;
+    if (!image->depth)
+        return image->ids[row * stride + column] == image->background;
+    return image->flags & SIL_IMAGE_REVERSED ? !(image->depth[row * stride + column] > 0)
+                                             : !(image->depth[row * stride + column] < 1);
+}
+
+/* Does a spot of a line that runs along d border the background, one and a half pixels of the coarser grid to a side?
+ */
+static int sil_i_is_outer(const sil_i_pen *pen, const sil_i_spot *spot, const double d[2]) {
+    const sil_image *image = pen->desc->image;
+    const double pixel = sil_i_larger(1, sil_i_larger(pen->width / image->width, pen->height / image->height));
+    const double x = -1.5 * pixel * d[1], y = 1.5 * pixel * d[0];
+    return sil_i_is_background(pen, spot->x + x, spot->y + y) || sil_i_is_background(pen, spot->x - x, spot->y - y);
+}
+
+static double sil_i_outer_factor(const sil_i_pen *pen, double level) {
+    return sil_i_mix(pen->thin, pen->heavy, level);
+}
+
+/* The piece from t0 to t1 of a segment, whose level changes from one to the other. */
+static void sil_i_pen_outer_piece(sil_i_pen *pen, const sil_i_spot *from, const sil_i_spot *to, double t0, double t1,
+                                  const double level[2], int keep_cap) {
+    sil_i_spot a = sil_i_spot_mix(from, to, t0), b = sil_i_spot_mix(from, to, t1);
+    a.half *= sil_i_outer_factor(pen, level[0]);
+    b.half *= sil_i_outer_factor(pen, level[1]);
+    sil_i_pen_dashes(pen, &a, &b, keep_cap && !(t0 > 0));
+}
+
+/* WEIGHT_OUTER looks at the image every two pixels and changes from thin to heavy in eight, so that a pixel of doubt
+   makes no step. Everything else passes through. */
+static void sil_i_pen_outer(sil_i_pen *pen, const sil_i_spot *from, const sil_i_spot *to, int keep_cap) {
+    const double length = sil_i_gap(from, to), most = ceil(length / SIL_I_OUTER_STEP);
+    const int count = most < 1 ? 1 : most < 65536 ? (int)most : 65536;
+    double level[2], d[2];
+    int i, done = 0;
+    if (pen->desc->weight != SIL_WEIGHT_OUTER || !(length > 0)) {
+        sil_i_pen_dashes(pen, from, to, keep_cap);
+        return;
+    }
+    d[0] = (to->x - from->x) / length;
+    d[1] = (to->y - from->y) / length;
+    for (i = 0; i < count; ++i) {
+        const sil_i_spot middle = sil_i_spot_mix(from, to, (i + 0.5) / count);
+        const double wanted = sil_i_is_outer(pen, &middle, d), step = length / count / SIL_I_OUTER_RAMP;
+        level[0] = level[1] = pen->level < 0 ? wanted : pen->level;
+        pen->level = wanted > level[0] ? level[0] + step : level[0] - step;
+        pen->level = sil_i_abs(wanted - level[0]) <= step ? wanted : pen->level;
+        if (sil_i_abs(pen->level - level[0]) > 0) { /* first what was constant */
+            if (i > done)
+                sil_i_pen_outer_piece(pen, from, to, (double)done / count, (double)i / count, level, keep_cap);
+            level[1] = pen->level;
+            sil_i_pen_outer_piece(pen, from, to, (double)i / count, (i + 1.0) / count, level, keep_cap);
+            done = i + 1;
+        }
+    }
+    level[0] = level[1] = pen->level;
+    if (done < count)
+        sil_i_pen_outer_piece(pen, from, to, (double)done / count, 1, level, keep_cap);
+}
+
+static double sil_i_taper(const sil_i_pen *pen, double arc) {
+    const double end = pen->length - arc, near_end = arc < end ? arc : end, taper = (double)pen->desc->taper;
+    return near_end <= 0 ? 0 : near_end < taper ? near_end / taper : 1;
+}
+
+/* The visible part of a segment. Tapers are linear between their two ends and where these meet. */
+static void sil_i_pen_run(sil_i_pen *pen, const sil_i_spot *from, const sil_i_spot *to, int keep_cap) {
+    const double taper = (double)pen->desc->taper;
+    const double bends[3] = {taper < 0.5 * pen->length ? taper : 0.5 * pen->length,
+                             taper < 0.5 * pen->length ? pen->length - taper : 0.5 * pen->length, to->arc};
+    sil_i_spot a = *from, b;
+    int i;
+    if (!(taper > 0) || pen->strip->closed) {
+        sil_i_pen_outer(pen, from, to, keep_cap);
+        return;
+    }
+    a.half *= sil_i_taper(pen, a.arc);
+    for (i = 0; i < 3; ++i) {
+        if (i < 2 && !(bends[i] > a.arc && bends[i] < to->arc))
+            continue;
+        b = i < 2 ? sil_i_spot_mix(from, to, (bends[i] - from->arc) / (to->arc - from->arc)) : *to;
+        b.half *= sil_i_taper(pen, b.arc);
+        sil_i_pen_outer(pen, &a, &b, 0);
+        a = b;
+    }
+}
+
+/* ---- ribbons: segments and strips ---- */
+
+/* What of a segment lies before the eye and within the depth range: its two spots, with arcs. */
+static int sil_i_pen_reaches(sil_i_pen *pen, const sil_i_stop *a, const sil_i_stop *b, double t[2], sil_i_spot *from,
+                             sil_i_spot *to) {
+    t[0] = 0;
+    t[1] = 1;
+    if (!a->known || !b->known || !sil_i_cut_depth(pen, a->clip, b->clip, t))
+        return 0;
+    *from = sil_i_spot_at(pen, a, b, t[0]);
+    *to = sil_i_spot_at(pen, a, b, t[1]);
+    from->arc = pen->arc;
+    to->arc = pen->arc += sil_i_gap(from, to);
+    if (!pen->desc->along) {
+        from->along = from->arc + pen->phase;
+        to->along = to->arc + pen->phase;
+    }
+    return 1;
+}
+
+/* Cuts a spot off at t, where the rest of it is linear on the screen. */
+static void sil_i_spot_cut(const sil_i_pen *pen, const sil_i_stop *a, const sil_i_stop *b, double t,
+                           const sil_i_spot whole[2], sil_i_spot *spot) {
+    const double length = sil_i_gap(&whole[0], &whole[1]);
+    const sil_i_spot exact = sil_i_spot_at(pen, a, b, t);
+    const double part = length > 0 ? sil_i_gap(&whole[0], &exact) / length : 0;
+    *spot = sil_i_spot_mix(&whole[0], &whole[1], part < 1 ? part : 1);
+    spot->x = exact.x;
+    spot->y = exact.y;
+    spot->depth = exact.depth;
+    spot->slack = exact.slack;
+}
+
+/* One segment, between two vertices. */
+static void sil_i_pen_segment(sil_i_pen *pen, const sil_i_stop *a, const sil_i_stop *b, int keep_cap) {
+    double t[2], uncut[2];
+    sil_i_spot whole[2], spot[2];
+    int k;
+    if (!sil_i_pen_reaches(pen, a, b, t, &whole[0], &whole[1])) {
         sil_i_pen_lift(pen);
         return;
     }
-    from = sil_i_spot_at(pen, a, b, t[0]);
-    to = sil_i_spot_at(pen, a, b, t[1]);
-    near_x = from.x;
-    near_y = from.y;
-    from.arc = pen->arc;
-    pen->arc += sqrt((to.x - from.x) * (to.x - from.x) + (to.y - from.y) * (to.y - from.y));
-    if (!sil_i_cut_sides(pen, a, b, t)) {
+    memcpy(uncut, t, sizeof t);
+    if (!sil_i_cut_sides(pen, a->clip, b->clip, t)) {
         sil_i_pen_lift(pen);
         return;
     }
     if (t[0] > 0)
         sil_i_pen_lift(pen);
-    to = sil_i_spot_at(pen, a, b, t[1]);
-    if (t[0] > 0) {
-        const double before = from.arc;
-        from = sil_i_spot_at(pen, a, b, t[0]);
-        x = from.x - near_x;
-        y = from.y - near_y;
-        from.arc = before + sqrt(x * x + y * y);
+    for (k = 0; k < 2; ++k) {
+        spot[k] = whole[k];
+        if (sil_i_abs(t[k] - uncut[k]) > 0)
+            sil_i_spot_cut(pen, a, b, t[k], whole, &spot[k]);
+        sil_i_spot_clamp(pen, &spot[k]);
     }
-    sil_i_spot_clamp(pen, &from);
-    sil_i_spot_clamp(pen, &to);
-    from.arc -= turn * floor(from.arc / turn);
-    if (pen->down)
-        pen->last.arc = from.arc;
-    to.arc = from.arc + sqrt((to.x - from.x) * (to.x - from.x) + (to.y - from.y) * (to.y - from.y));
-    sil_i_pen_draw(pen, &from, &to, keep_cap && !(t[0] > 0));
+    pen->arc_turn = SIL_I_TURN * floor(spot[0].arc / SIL_I_TURN);
+    sil_i_pen_run(pen, &spot[0], &spot[1], keep_cap && !(t[0] > 0));
     if (t[1] < 1)
         sil_i_pen_lift(pen);
 }
 
-/* The clip coordinates of a vertex of the caller's; 0 where it has none. */
-static int sil_i_project(const sil_i_pen *pen, uint32_t vertex, double clip[4]) {
-    const float *p;
-    double eye[4];
-    int i;
+/* The place of a strip's vertex; 0 where it has none. */
+static int sil_i_pen_place(const sil_i_pen *pen, size_t i, float place[3]) {
+    const sil_ribbon_desc *desc = pen->desc;
+    const size_t at = (size_t)pen->strip->first + i;
+    uint32_t vertex = pen->vertices ? pen->vertices[at] : (uint32_t)at;
+    if (desc->points) {
+        const size_t stride = desc->point_stride ? desc->point_stride : 3 * sizeof(float);
+        if (vertex >= desc->point_count)
+            return 0;
+        memcpy(place, (const char *)(const void *)desc->points + stride * vertex, 3 * sizeof(float));
+        return sil_i_all_finite(place, 3);
+    }
     if (vertex >= pen->mesh->vertex_count || pen->shape->bad[pen->mesh->welded[vertex]])
         return 0;
-    p = pen->shape->position + 3 * (size_t)pen->mesh->welded[vertex];
-    for (i = 0; i < 4; ++i)
-        eye[i] = pen->model_view[i] * (double)p[0] + pen->model_view[4 + i] * (double)p[1] +
-                 pen->model_view[8 + i] * (double)p[2] + pen->model_view[12 + i];
-    for (i = 0; i < 4; ++i)
-        clip[i] = pen->projection[i] * eye[0] + pen->projection[4 + i] * eye[1] + pen->projection[8 + i] * eye[2] +
-                  pen->projection[12 + i] * eye[3];
+    vertex = pen->mesh->welded[vertex];
+    memcpy(place, pen->shape->position + 3 * (size_t)vertex, 3 * sizeof(float));
     return 1;
 }
 
-static void sil_i_pen_strip(sil_i_pen *pen, const sil_strip *strip, const uint32_t *vertices) {
-    double clip[2][4];
-    int known = 0;
+/* Clip coordinates of a place. Returns its distance from the eye along the view. */
+static double sil_i_to_clip(const sil_i_pen *pen, const float p[3], double clip[4]) {
+    double eye[4];
+    int k;
+    for (k = 0; k < 4; ++k)
+        eye[k] = pen->model_view[k] * (double)p[0] + pen->model_view[4 + k] * (double)p[1] +
+                 pen->model_view[8 + k] * (double)p[2] + pen->model_view[12 + k];
+    for (k = 0; k < 4; ++k)
+        clip[k] = pen->projection[k] * eye[0] + pen->projection[4 + k] * eye[1] + pen->projection[8 + k] * eye[2] +
+                  pen->projection[12 + k] * eye[3];
+    return -eye[2];
+}
+
+/* Clip coordinates of a strip's vertex, and its distance from the eye along the view. */
+static int sil_i_pen_project(const sil_i_pen *pen, size_t i, double clip[4], double *distance) {
+    float p[3];
+    if (!sil_i_pen_place(pen, i, p))
+        return 0;
+    *distance = sil_i_to_clip(pen, p, clip);
+    return 1;
+}
+
+/* ---- ribbons: weights ---- */
+
+/* WEIGHT_LIGHT: by the way outward, to the right of the line's way through the vertices on both sides of this one. */
+static double sil_i_light_factor(const sil_i_pen *pen, size_t i) {
+    const sil_strip *strip = pen->strip;
+    const size_t last = strip->count - 1u;
+    const size_t before = i ? i - 1 : strip->closed ? last - (last > 0) : 0;
+    const size_t after = i < last ? i + 1 : strip->closed && last > 0 ? 1 : last;
+    double clip[4], p[2][2], dx, dy, length, unused;
+    int k;
+    if (!(strip->kinds & (SIL_SILHOUETTE | SIL_BOUNDARY)))
+        return sil_i_mix(pen->thin, pen->heavy, 0.5);
+    for (k = 0; k < 2; ++k) {
+        if (!sil_i_pen_project(pen, k ? after : before, clip, &unused) || !(clip[3] > 0))
+            return sil_i_mix(pen->thin, pen->heavy, 0.5);
+        sil_i_screen(pen, clip, &p[k][0], &p[k][1]);
+    }
+    dx = p[1][0] - p[0][0];
+    dy = p[1][1] - p[0][1];
+    length = sqrt(dx * dx + dy * dy);
+    if (!(length > 1e-6) || !(length < 1e30))
+        return sil_i_mix(pen->thin, pen->heavy, 0.5);
+    return sil_i_mix(pen->thin, pen->heavy, 0.5 - 0.5 * (dy * pen->light[0] - dx * pen->light[1]) / length);
+}
+
+static double sil_i_weight_factor(const sil_i_pen *pen, size_t i, double distance) {
+    double t;
+    switch (pen->desc->weight) {
+    case SIL_WEIGHT_THICK_THIN:
+        return pen->strip->kinds & (SIL_SILHOUETTE | SIL_BOUNDARY) ? pen->heavy : pen->thin;
+    case SIL_WEIGHT_PERSPECTIVE:
+        t = (distance - pen->reach[0]) / (pen->reach[1] - pen->reach[0]);
+        return sil_i_mix(pen->heavy, pen->thin, t > 0 ? t < 1 ? t : 1 : 0);
+    case SIL_WEIGHT_LIGHT:
+        return sil_i_light_factor(pen, i);
+    case SIL_WEIGHT_ONE:
+    case SIL_WEIGHT_OUTER: /* between vertices: sil_i_pen_outer */
+        break;
+    }
+    return 1;
+}
+
+static double sil_i_vertex_factor(const float *widths, size_t at) {
+    const float factor = widths ? widths[at] : 1.0f;
+    return sil_i_finite(factor) && factor > 0 ? (double)factor : 0;
+}
+
+static sil_i_stop sil_i_pen_stop(const sil_i_pen *pen, size_t i) {
+    const size_t at = (size_t)pen->strip->first + i;
+    sil_i_stop stop;
+    double distance = 0;
+    memset(&stop, 0, sizeof stop);
+    stop.known = sil_i_pen_project(pen, i, stop.clip, &distance);
+    if (!stop.known)
+        return stop;
+    stop.half = pen->half * sil_i_vertex_factor(pen->desc->widths, at) * sil_i_weight_factor(pen, i, distance);
+    stop.half = stop.half < 2048 ? stop.half : 2048;
+    if (pen->desc->along) {
+        stop.along = (double)pen->desc->along[at];
+        stop.known = sil_i_finite(pen->desc->along[at]);
+    }
+    return stop;
+}
+
+/* The length that tapers need before the first segment is drawn. */
+static void sil_i_pen_measure(sil_i_pen *pen) {
+    sil_i_stop stop[2];
+    sil_i_spot from, to;
+    double t[2];
     size_t i;
-    pen->kinds = strip->kinds;
+    stop[0] = sil_i_pen_stop(pen, 0);
+    for (i = 1; i < pen->strip->count; ++i) {
+        stop[i % 2] = sil_i_pen_stop(pen, i);
+        (void)sil_i_pen_reaches(pen, &stop[(i + 1) % 2], &stop[i % 2], t, &from, &to);
+    }
+    pen->length = pen->arc;
     pen->arc = 0;
+}
+
+/* The width of the strip's kind, and what follows from it for the widest place. */
+static void sil_i_pen_width(sil_i_pen *pen) {
+    const sil_ribbon_desc *desc = pen->desc;
+    double tolerance = desc->tolerance > 0 ? (double)desc->tolerance : 0.1;
+    double width = desc->width > 0 ? (double)desc->width : 1.5, widest = desc->widths ? 0 : 1, margin;
+    size_t i;
+    int k = 0;
+    while (k < 4 && !(pen->strip->kinds >> k & 1))
+        ++k;
+    if (desc->width_scale[k] > 0)
+        width *= (double)desc->width_scale[k];
+    width = width > 4096 ? 4096 : width;
+    pen->half = 0.5 * width;
+    for (i = 0; desc->widths && i < pen->strip->count; ++i)
+        widest = sil_i_larger(widest, sil_i_vertex_factor(desc->widths, pen->strip->first + i));
+    if (desc->weight != SIL_WEIGHT_ONE)
+        widest *= sil_i_larger(pen->heavy, pen->thin);
+    width *= widest;
+    width = width > 4096 ? 4096 : width;
+    tolerance = tolerance < 1.0 / 64 ? 1.0 / 64 : tolerance;
+    pen->step = tolerance < 0.145 * width ? 2 * acos(1 - tolerance / (0.5 * width)) : 0.5 * SIL_I_PI;
+    margin = width + 2;
+    pen->guard_x = 1 + 2 * margin / pen->width;
+    pen->guard_y = 1 + 2 * margin / pen->height;
+}
+
+static void sil_i_pen_strip(sil_i_pen *pen, size_t index) {
+    sil_i_stop stop[2];
+    size_t i;
+    sil_i_pen_width(pen);
+    pen->phase = pen->desc->phases && sil_i_finite(pen->desc->phases[index]) ? (double)pen->desc->phases[index] : 0;
+    pen->arc = pen->arc_turn = 0;
+    pen->level = -1;
     pen->down = pen->started = pen->dotted = pen->joins_start = 0;
-    for (i = 0; i < strip->count; ++i) {
-        const int before = known;
-        known = sil_i_project(pen, vertices[strip->first + i], clip[i % 2]);
-        if (known && before)
-            sil_i_pen_segment(pen, clip[(i + 1) % 2], clip[i % 2], strip->closed && i == 1);
-        else
-            sil_i_pen_lift(pen);
+    if (pen->desc->taper > 0 && !pen->strip->closed)
+        sil_i_pen_measure(pen);
+    stop[0] = sil_i_pen_stop(pen, 0);
+    for (i = 1; i < pen->strip->count; ++i) {
+        stop[i % 2] = sil_i_pen_stop(pen, i);
+        sil_i_pen_segment(pen, &stop[(i + 1) % 2], &stop[i % 2], pen->strip->closed && i == 1);
     }
     if (pen->joins_start && pen->down) {
+        pen->last.half = sil_i_larger(pen->last.half, pen->start.half);
         sil_i_pen_join(pen, &pen->last, pen->direction, pen->start_direction);
         return;
     }
@@ -6032,32 +6882,93 @@ static void sil_i_pen_strip(sil_i_pen *pen, const sil_strip *strip, const uint32
     if (pen->joins_start)
         sil_i_pen_cap(pen, &pen->start, -pen->start_direction[0], -pen->start_direction[1]);
     if (pen->dotted && !pen->started)
-        sil_i_pen_dot(pen);
+        sil_i_pen_dot(pen, &pen->dot, 1, 0);
 }
 
-/* Half the width of a kind of line, and what follows from it. */
-static void sil_i_pen_width(sil_i_pen *pen, const sil_ribbon_desc *desc, uint32_t kinds) {
-    double tolerance = desc->tolerance > 0 ? (double)desc->tolerance : 0.1;
-    double width = desc->width > 0 ? (double)desc->width : 1.5, margin;
-    int k = 0;
-    while (k < 3 && !(kinds >> k & 1))
-        ++k;
-    if (desc->width_scale[k] > 0)
-        width *= (double)desc->width_scale[k];
-    width = width > 4096 ? 4096 : width;
-    tolerance = tolerance < 1.0 / 64 ? 1.0 / 64 : tolerance;
-    pen->half = 0.5 * width;
-    pen->step = tolerance < 0.29 * pen->half ? 2 * acos(1 - tolerance / pen->half) : 0.5 * SIL_I_PI;
-    margin = width + 2;
-    pen->guard_x = 1 + 2 * margin / pen->width;
-    pen->guard_y = 1 + 2 * margin / pen->height;
+/* Distances along the view of the nearest and the farthest corner of the box around the mesh. */
+static void sil_i_pen_box(sil_i_pen *pen) {
+    int i, k;
+    for (i = 0; i < 8; ++i) {
+        double distance = -pen->model_view[14];
+        for (k = 0; k < 3; ++k)
+            distance -= pen->model_view[4 * k + 2] * (i >> k & 1 ? pen->shape->high[k] : pen->shape->low[k]);
+        pen->reach[0] = i && pen->reach[0] < distance ? pen->reach[0] : distance;
+        pen->reach[1] = i && pen->reach[1] > distance ? pen->reach[1] : distance;
+    }
+}
+
+static void sil_i_pen_weigh(sil_i_pen *pen) {
+    const sil_ribbon_desc *desc = pen->desc;
+    double eye[4], length;
+    pen->heavy = desc->heavy > 0 ? (double)desc->heavy : 2;
+    pen->thin = desc->thin > 0 ? (double)desc->thin : 1;
+    sil_i_widen(desc->reach, pen->reach, 2);
+    if (pen->shape && !(sil_i_abs(pen->reach[0]) > 0) && !(sil_i_abs(pen->reach[1]) > 0))
+        sil_i_pen_box(pen);
+    sil_i_widen(desc->light, pen->light, 2);
+    length = sqrt(pen->light[0] * pen->light[0] + pen->light[1] * pen->light[1]);
+    if (!(length > 0)) {
+        pen->light[0] = -1;
+        pen->light[1] = 1;
+        length = sqrt(2.0);
+    }
+    if (sil_i_eye_point(pen->model_view, pen->projection, eye))
+        length = -length;
+    pen->light[0] /= length;
+    pen->light[1] /= length;
+}
+
+static int sil_i_image_ok(const sil_image *image) {
+    return image && (image->depth || image->ids) && image->width && image->height &&
+           (!image->stride || image->stride >= image->width);
 }
 
 static int sil_i_ribbon_desc_ok(const sil_ribbon_desc *desc) {
     return sil_i_all_finite(desc->model_view, 16) && sil_i_all_finite(desc->projection, 16) &&
            sil_i_finite(desc->viewport_width) && sil_i_finite(desc->viewport_height) && sil_i_finite(desc->width) &&
-           sil_i_finite(desc->tolerance) && sil_i_all_finite(desc->width_scale, 4) && desc->viewport_width > 0 &&
-           desc->viewport_height > 0;
+           sil_i_finite(desc->tolerance) && sil_i_all_finite(desc->width_scale, 5) && desc->viewport_width > 0 &&
+           desc->viewport_height > 0 && sil_i_finite(desc->heavy) && sil_i_finite(desc->thin) &&
+           sil_i_all_finite(desc->light, 2) && sil_i_all_finite(desc->reach, 2) && sil_i_finite(desc->taper) &&
+           (desc->weight != SIL_WEIGHT_OUTER || sil_i_image_ok(desc->image)) &&
+           (!desc->point_stride || desc->point_stride >= 3 * sizeof(float));
+}
+
+/* Adds the lengths up. Whether they make sense: an even number, none negative, together neither 0 nor infinite. */
+static int sil_i_read_dashes(const sil_ribbon_desc *desc, double *end, size_t *count) {
+    double sum = 0;
+    size_t i;
+    *count = 0;
+    if (!desc->dashes)
+        return 1;
+    if (!desc->dash_count || desc->dash_count % 2 || desc->dash_count > SIL_I_DASHES)
+        return 0;
+    for (i = 0; i < desc->dash_count; ++i) {
+        if (!sil_i_finite(desc->dashes[i]) || desc->dashes[i] < 0)
+            return 0;
+        end[i] = sum += (double)desc->dashes[i];
+    }
+    *count = desc->dash_count;
+    return sum > 0;
+}
+
+/* What all strips of a call have in common. 0 where the arguments make no sense. */
+static int sil_i_pen_make(sil_i_pen *pen, const sil_mesh *mesh, const sil_pose *pose, const sil_strip *strips,
+                          const uint32_t *vertices, const sil_ribbon_desc *desc) {
+    memset(pen, 0, sizeof *pen);
+    if ((pose && pose->mesh != mesh) || !strips || !desc || !sil_i_ribbon_desc_ok(desc) ||
+        (!desc->points && (!mesh || !vertices)) || !sil_i_read_dashes(desc, pen->dash_end, &pen->dash_count))
+        return 0;
+    pen->mesh = mesh;
+    pen->shape = mesh ? sil_i_shape_of(mesh, pose) : NULL;
+    pen->desc = desc;
+    sil_i_widen(desc->model_view, pen->model_view, 16);
+    sil_i_widen(desc->projection, pen->projection, 16);
+    pen->width = (double)desc->viewport_width;
+    pen->height = (double)desc->viewport_height;
+    pen->low = desc->flags & SIL_RIBBON_ZERO_TO_ONE ? 0 : -1;
+    pen->vertices = vertices;
+    sil_i_pen_weigh(pen);
+    return 1;
 }
 
 SIL_DEF size_t sil_ribbons(const sil_mesh *mesh, const sil_pose *pose, const sil_strip *strips, size_t strip_count,
@@ -6065,25 +6976,454 @@ SIL_DEF size_t sil_ribbons(const sil_mesh *mesh, const sil_pose *pose, const sil
                            size_t capacity) {
     sil_i_pen pen;
     size_t i;
-    if (!mesh || (pose && pose->mesh != mesh) || !strips || !vertices || !desc || !sil_i_ribbon_desc_ok(desc))
+    if (!sil_i_pen_make(&pen, mesh, pose, strips, vertices, desc))
         return 0;
-    memset(&pen, 0, sizeof pen);
-    pen.mesh = mesh;
-    pen.shape = sil_i_shape_of(mesh, pose);
-    sil_i_widen(desc->model_view, pen.model_view, 16);
-    sil_i_widen(desc->projection, pen.projection, 16);
-    pen.width = (double)desc->viewport_width;
-    pen.height = (double)desc->viewport_height;
-    pen.low = desc->flags & SIL_RIBBON_ZERO_TO_ONE ? 0 : -1;
-    pen.cap = desc->cap;
-    pen.join = desc->join;
     pen.out = out;
     pen.capacity = capacity;
     for (i = 0; i < strip_count; ++i) {
-        sil_i_pen_width(&pen, desc, strips[i].kinds);
-        sil_i_pen_strip(&pen, &strips[i], vertices);
+        pen.strip = &strips[i];
+        if (strips[i].count)
+            sil_i_pen_strip(&pen, i);
     }
     return pen.count;
+}
+
+/* ---- dashes that stay ---- */
+
+#define SIL_I_MARK_NEAR 4.0   /* pixels: closer vertices have no mark of their own */
+#define SIL_I_MARK_FAR 8.0    /* pixels: longer segments have marks in between */
+#define SIL_I_MARK_CELL 10.0  /* pixels: the grid in which marks are found */
+#define SIL_I_MARK_REACH 10.0 /* pixels: what is farther from where it was expected is another line */
+#define SIL_I_MARK_LEAVE 3.0  /* pixels: a line is left for another only where that is closer by this */
+#define SIL_I_MARK_SLIDE 0.5  /* of the contour's motion: how far dashes may move toward being even */
+
+/* A place on a line of the last frame. */
+typedef struct sil_i_mark {
+    float place[3];      /* in the mesh or among the points */
+    double x, y;         /* where it was on the screen */
+    double now_x, now_y; /* where that place is seen in this frame */
+    double along;
+    uint32_t kinds, strip;
+    uint32_t next; /* in the same cell of the grid */
+    int joined;    /* the next mark is on the same line */
+    int seen;      /* now_x and now_y are on the screen or near it */
+} sil_i_mark;
+
+/* What is known of a strip's vertex in this frame. */
+typedef struct sil_i_bead {
+    double x, y, arc;
+    double offset;  /* along - way * arc */
+    uint32_t strip; /* of the last frame, that it was found on */
+    double motion;  /* of the contour since the last frame, pixels */
+    int seen, found;
+} sil_i_bead;
+
+struct sil_dashes {
+    sil_allocator allocator;
+    sil_i_mark *mark, *fresh; /* of the last frame, of this one */
+    size_t mark_count, mark_capacity, fresh_count, fresh_capacity;
+    uint32_t *head; /* of the lists of marks, by a cell's hash */
+    size_t head_count, head_capacity;
+    uint32_t strip;   /* that is being followed */
+    sil_i_bead *bead; /* its vertices */
+    size_t bead_capacity;
+};
+
+SIL_DEF sil_dashes *sil_dashes_create(const sil_allocator *allocator, sil_result *result) {
+    sil_allocator used;
+    sil_dashes *dashes = NULL;
+    memset(&used, 0, sizeof used);
+    if (allocator)
+        used = *allocator;
+    if (!used.alloc_fn && !used.free_fn) {
+        used.alloc_fn = sil_i_default_alloc;
+        used.free_fn = sil_i_default_free;
+    }
+    if (used.alloc_fn && used.free_fn)
+        dashes = (sil_dashes *)used.alloc_fn(sizeof *dashes, used.user);
+    if (result)
+        *result = dashes ? SIL_OK : used.alloc_fn && used.free_fn ? SIL_OUT_OF_MEMORY : SIL_INVALID_ARGUMENT;
+    if (dashes) {
+        memset(dashes, 0, sizeof *dashes);
+        dashes->allocator = used;
+    }
+    return dashes;
+}
+
+SIL_DEF void sil_dashes_destroy(sil_dashes *dashes) {
+    sil_allocator allocator;
+    if (!dashes)
+        return;
+    allocator = dashes->allocator;
+    sil_i_give(&allocator, dashes->mark);
+    sil_i_give(&allocator, dashes->fresh);
+    sil_i_give(&allocator, dashes->head);
+    sil_i_give(&allocator, dashes->bead);
+    sil_i_give(&allocator, dashes);
+}
+
+SIL_DEF void sil_dashes_forget(sil_dashes *dashes) {
+    if (dashes)
+        dashes->mark_count = 0;
+}
+
+/* An array with room for `wanted` elements, twice as many as before; its first `keep` bytes stay. NULL: no memory, and
+   the array is as it was. */
+static void *sil_i_grown(const sil_allocator *allocator, void *array, size_t *capacity, size_t wanted, size_t size,
+                         size_t keep) {
+    void *memory;
+    size_t room = *capacity * 2 > wanted ? *capacity * 2 : wanted;
+    if (*capacity >= wanted && array)
+        return array;
+    if (room > (size_t)-1 / size)
+        return NULL;
+    memory = allocator->alloc_fn(room * size, allocator->user);
+    if (!memory)
+        return NULL;
+    if (keep)
+        memcpy(memory, array, keep);
+    sil_i_give(allocator, array);
+    *capacity = room;
+    return memory;
+}
+
+static size_t sil_i_mark_cell(const sil_dashes *dashes, double x, double y, int right, int up) {
+    const uint32_t column = (uint32_t)(int32_t)floor(x / SIL_I_MARK_CELL) + (uint32_t)right;
+    const uint32_t row = (uint32_t)(int32_t)floor(y / SIL_I_MARK_CELL) + (uint32_t)up;
+    return sil_i_hash(column, row, 0) & (dashes->head_count - 1);
+}
+
+/* On the screen, or a little beside it. */
+static int sil_i_is_seen(const sil_i_pen *pen, const double clip[4], double *x, double *y) {
+    const double margin = 64;
+    if (!(clip[3] > 0))
+        return 0;
+    sil_i_screen(pen, clip, x, y);
+    return *x > -margin && *x<pen->width + margin && * y> - margin && *y < pen->height + margin && *x < 1e9 && *y < 1e9;
+}
+
+/* Puts the marks of the last frame where their places are seen now. */
+static void sil_i_marks_place(sil_dashes *dashes, const sil_i_pen *pen) {
+    double clip[4];
+    size_t i;
+    memset(dashes->head, 0xff, dashes->head_count * sizeof *dashes->head);
+    for (i = 0; i < dashes->mark_count; ++i) {
+        sil_i_mark *mark = &dashes->mark[i];
+        (void)sil_i_to_clip(pen, mark->place, clip);
+        mark->seen = sil_i_is_seen(pen, clip, &mark->now_x, &mark->now_y);
+        if (mark->seen) {
+            uint32_t *head = &dashes->head[sil_i_mark_cell(dashes, mark->now_x, mark->now_y, 0, 0)];
+            mark->next = *head;
+            *head = (uint32_t)i;
+        }
+    }
+}
+
+/* The nearest place of the last frame's lines. */
+typedef struct sil_i_match {
+    double distance;   /* pixels, with what is added to lines other than that which is followed; at first the reach */
+    double along, way; /* there; way: 1 where the dashes run as the strip does, else -1 */
+    double x, y;       /* where it was on the screen */
+    uint32_t mark;     /* of equally near ones the first */
+} sil_i_match;
+
+/* Does the line that goes on from one mark continue what the vertex before followed? A loop's begin does not continue
+   its end. */
+static int sil_i_continues(const sil_i_mark *mark, const sil_i_match *before, double step, double period) {
+    return mark->strip == before->mark && sil_i_abs(mark->along - before->along) <= 2 * (step + period);
+}
+
+/* Tries the line from one mark to the next, for a line of direction d at x, y. */
+static void sil_i_match_try(const sil_dashes *dashes, uint32_t i, const sil_i_bead *bead, const double d[2],
+                            int continues, sil_i_match *match) {
+    const sil_i_mark *a = &dashes->mark[i], *b = a->joined ? a + 1 : a;
+    const double ex = b->now_x - a->now_x, ey = b->now_y - a->now_y, square = ex * ex + ey * ey;
+    double t, dx, dy, turn, distance;
+    if (!b->seen || !(square > 0))
+        return;
+    t = ((bead->x - a->now_x) * ex + (bead->y - a->now_y) * ey) / square;
+    t = t < 0 ? 0 : t > 1 ? 1 : t;
+    dx = bead->x - sil_i_mix(a->now_x, b->now_x, t);
+    dy = bead->y - sil_i_mix(a->now_y, b->now_y, t);
+    if (dx * dx + dy * dy > match->distance * match->distance) /* most are */
+        return;
+    turn = (ex * d[0] + ey * d[1]) / sqrt(square);
+    distance = sqrt(dx * dx + dy * dy) + (continues ? 0 : SIL_I_MARK_LEAVE);
+    if (sil_i_abs(turn) < 0.5 || distance > match->distance || (!(distance < match->distance) && i >= match->mark))
+        return;
+    match->distance = distance;
+    match->along = sil_i_mix(a->along, b->along, t);
+    match->way = (turn > 0) == (b->along >= a->along) ? 1 : -1;
+    match->x = sil_i_mix(a->x, b->x, t);
+    match->y = sil_i_mix(a->y, b->y, t);
+    match->mark = i;
+}
+
+/* before: what the vertex before followed, with its strip for a mark; `step` pixels back. */
+static int sil_i_match_find(const sil_dashes *dashes, const sil_i_pen *pen, const sil_i_bead *bead, const double d[2],
+                            const sil_i_match *before, double step, sil_i_match *match) {
+    const double period = pen->dash_end[pen->dash_count - 1];
+    int right, up;
+    memset(match, 0, sizeof *match);
+    match->distance = SIL_I_MARK_REACH;
+    match->mark = SIL_NONE;
+    for (up = -1; up <= 1; ++up)
+        for (right = -1; right <= 1; ++right) {
+            uint32_t i = dashes->head[sil_i_mark_cell(dashes, bead->x, bead->y, right, up)];
+            for (; i != SIL_NONE; i = dashes->mark[i].next)
+                if (dashes->mark[i].kinds == pen->strip->kinds)
+                    sil_i_match_try(dashes, i, bead, d, sil_i_continues(&dashes->mark[i], before, step, period), match);
+        }
+    return match->mark != SIL_NONE;
+}
+
+/* Where the strip's vertices are on the screen, and arcs between them. */
+static void sil_i_beads_place(const sil_i_pen *pen, sil_i_bead *bead) {
+    double clip[2][4], t[2], part, unused;
+    int known[2];
+    size_t i;
+    for (i = 0; i < pen->strip->count; ++i) {
+        sil_i_bead *b = &bead[i];
+        memset(b, 0, sizeof *b);
+        known[i % 2] = sil_i_pen_project(pen, i, clip[i % 2], &unused);
+        b->seen = known[i % 2] && sil_i_is_seen(pen, clip[i % 2], &b->x, &b->y);
+        if (i == 0)
+            continue;
+        b->arc = bead[i - 1].arc;
+        t[0] = 0;
+        t[1] = 1;
+        if (known[0] && known[1] && sil_i_cut_depth(pen, clip[(i + 1) % 2], clip[i % 2], t)) {
+            double x[2], y[2], at[4];
+            int k, e;
+            for (e = 0; e < 2; ++e) {
+                for (k = 0; k < 4; ++k)
+                    at[k] = sil_i_mix(clip[(i + 1) % 2][k], clip[i % 2][k], t[e]);
+                sil_i_screen(pen, at, &x[e], &y[e]);
+            }
+            part = t[1] - t[0] > 1e-3 ? t[1] - t[0] : 1e-3; /* what lies behind the eye is as what lies before it */
+            b->arc += sqrt((x[1] - x[0]) * (x[1] - x[0]) + (y[1] - y[0]) * (y[1] - y[0])) / part;
+        }
+    }
+}
+
+/* The direction of a strip at a vertex, from its neighbours. 0 where it has none. */
+static int sil_i_bead_direction(const sil_i_pen *pen, const sil_i_bead *bead, size_t i, double d[2]) {
+    const size_t last = pen->strip->count - 1u;
+    const sil_i_bead *a = &bead[i ? i - 1 : 0], *b = &bead[i < last ? i + 1 : last];
+    double length;
+    a = a->seen ? a : &bead[i];
+    b = b->seen ? b : &bead[i];
+    d[0] = b->x - a->x;
+    d[1] = b->y - a->y;
+    length = sqrt(d[0] * d[0] + d[1] * d[1]);
+    if (!(length > 1e-6))
+        return 0;
+    d[0] /= length;
+    d[1] /= length;
+    return 1;
+}
+
+/* Takes over what is found of the last frame; offset is where in the dashes it was. Returns how many more vertices
+   found that the dashes run as the strip does than against it. */
+static double sil_i_beads_match(const sil_dashes *dashes, const sil_i_pen *pen, sil_i_bead *bead) {
+    double votes = 0, arc = 0, d[2];
+    sil_i_match match, before;
+    size_t i;
+    memset(&before, 0, sizeof before);
+    before.mark = SIL_NONE;
+    for (i = 0; i < pen->strip->count; ++i) {
+        sil_i_bead *b = &bead[i];
+        if (!b->seen || !sil_i_bead_direction(pen, bead, i, d) ||
+            !sil_i_match_find(dashes, pen, b, d, &before, b->arc - arc, &match))
+            continue;
+        before = match;
+        before.mark = b->strip = dashes->mark[match.mark].strip;
+        arc = b->arc;
+        b->found = 1;
+        b->offset = match.along;
+        b->motion = sqrt((b->x - match.x) * (b->x - match.x) + (b->y - match.y) * (b->y - match.y));
+        votes += match.way;
+    }
+    return votes;
+}
+
+/* From what was found along the strip to offsets. Where the line of the last frame goes on, so do they; from one line
+   to another, and where a loop closed, they differ by as little as whole periods allow. */
+static int sil_i_beads_unwrap(const sil_i_pen *pen, sil_i_bead *bead, double way) {
+    const double period = pen->dash_end[pen->dash_count - 1];
+    double found = 0, before = 0;
+    uint32_t strip = SIL_NONE;
+    size_t i;
+    for (i = 0; i < pen->strip->count; ++i) {
+        sil_i_bead *b = &bead[i];
+        double step;
+        if (!b->found)
+            continue;
+        step = b->offset - way * b->arc - found;
+        found += step;
+        if (b->strip != strip || sil_i_abs(step) > 2 * period)
+            step -= period * floor(step / period + (strip == SIL_NONE ? 0 : 0.5));
+        b->offset = before += step;
+        strip = b->strip;
+    }
+    return strip != SIL_NONE;
+}
+
+/* Moves offsets toward their mean, as far as the contour's motion covers it. Vertices without one take their
+   neighbour's. */
+static void sil_i_beads_even(const sil_i_pen *pen, sil_i_bead *bead) {
+    const size_t count = pen->strip->count;
+    const double period = pen->dash_end[pen->dash_count - 1];
+    double sum = 0, least = 0, most = 0, mean, last;
+    size_t i, found = 0;
+    for (i = 0; i < count; ++i)
+        if (bead[i].found) {
+            sum += bead[i].offset;
+            least = !found || bead[i].offset < least ? bead[i].offset : least;
+            most = !found || bead[i].offset > most ? bead[i].offset : most;
+            ++found;
+        }
+    mean = sum / (double)found;
+    last = mean;
+    for (i = 0; i < count; ++i)
+        if (bead[i].found) {
+            const double slide = SIL_I_MARK_SLIDE * bead[i].motion, wanted = mean - bead[i].offset;
+            bead[i].offset += wanted > slide ? slide : wanted < -slide ? -slide : wanted;
+            if (most - least > 0.5 * bead[count - 1].arc + period) /* stretched too far: anew */
+                bead[i].offset = mean;
+        }
+    for (i = count; i-- > 0;)
+        last = bead[i].found ? bead[i].offset : last; /* the first one found */
+    for (i = 0; i < count; ++i) {
+        last = bead[i].found ? bead[i].offset : last;
+        bead[i].offset = last;
+    }
+}
+
+/* Leaves a mark at t of the segment that ends at vertex i. */
+static int sil_i_mark_leave(sil_dashes *dashes, const sil_i_pen *pen, const float *along, size_t i, double t,
+                            double s) {
+    float a[3], b[3];
+    double clip[4];
+    sil_i_mark *mark;
+    int k;
+    mark = (sil_i_mark *)sil_i_grown(&dashes->allocator, dashes->fresh, &dashes->fresh_capacity,
+                                     dashes->fresh_count + 1, sizeof *mark, dashes->fresh_count * sizeof *mark);
+    if (!mark)
+        return 0;
+    dashes->fresh = mark;
+    mark += dashes->fresh_count;
+    memset(mark, 0, sizeof *mark);
+    if (!sil_i_pen_place(pen, i - 1, a) || !sil_i_pen_place(pen, i, b))
+        return 1;
+    for (k = 0; k < 3; ++k)
+        mark->place[k] = (float)sil_i_mix((double)a[k], (double)b[k], t);
+    (void)sil_i_to_clip(pen, mark->place, clip);
+    mark->kinds = pen->strip->kinds;
+    mark->strip = dashes->strip;
+    mark->along = sil_i_mix((double)along[i - 1], (double)along[i], s);
+    if (sil_i_is_seen(pen, clip, &mark->x, &mark->y)) {
+        mark->joined = 1;
+        ++dashes->fresh_count;
+    } else if (dashes->fresh_count)
+        mark[-1].joined = 0;
+    return 1;
+}
+
+/* Marks along a strip, none closer than four pixels to the next but the last, none farther than eight. */
+static int sil_i_marks_leave(sil_dashes *dashes, const sil_i_pen *pen, const sil_i_bead *bead, const float *along) {
+    const size_t count = pen->strip->count, before = dashes->fresh_count;
+    double clip[2][4], since = SIL_I_MARK_NEAR, unused;
+    size_t i;
+    for (i = 1; i < count; ++i) {
+        const double length = bead[i].arc - bead[i - 1].arc, most = ceil(length / SIL_I_MARK_FAR);
+        const int parts = most < 1 ? 1 : most < 4096 ? (int)most : 4096;
+        int k, ok = 1;
+        since += length;
+        if (since < SIL_I_MARK_NEAR && i > 1 && i + 1 < count)
+            continue;
+        if (!sil_i_pen_project(pen, i - 1, clip[0], &unused) || !sil_i_pen_project(pen, i, clip[1], &unused) ||
+            !(clip[0][3] > 0) || !(clip[1][3] > 0)) {
+            if (dashes->fresh_count > before)
+                dashes->fresh[dashes->fresh_count - 1].joined = 0;
+            continue;
+        }
+        for (k = i > 1 && dashes->fresh_count > before; k <= parts && ok; ++k) {
+            /* even steps on the screen, the places in the mesh that are seen there */
+            const double s = (double)k / parts, near_end = s * clip[0][3], far_end = (1 - s) * clip[1][3];
+            ok = sil_i_mark_leave(dashes, pen, along, i, near_end / (near_end + far_end), s);
+        }
+        since = 0;
+        if (!ok)
+            return 0;
+    }
+    if (dashes->fresh_count > before)
+        dashes->fresh[dashes->fresh_count - 1].joined = 0;
+    return 1;
+}
+
+static int sil_i_dashes_strip(sil_dashes *dashes, const sil_i_pen *pen, float *along) {
+    const double period = pen->dash_end[pen->dash_count - 1];
+    const size_t count = pen->strip->count;
+    sil_i_bead *bead = dashes->bead;
+    double way, whole;
+    size_t i;
+    sil_i_beads_place(pen, bead);
+    way = sil_i_beads_match(dashes, pen, bead) < 0 ? -1 : 1;
+    if (sil_i_beads_unwrap(pen, bead, way))
+        sil_i_beads_even(pen, bead);
+    /* whole periods do not matter, and small numbers are precise floats */
+    whole = period * floor((way * bead[0].arc + bead[0].offset) / period);
+    for (i = 0; i < count; ++i)
+        along[i] = (float)(way * bead[i].arc + bead[i].offset - whole);
+    return sil_i_marks_leave(dashes, pen, bead, along);
+}
+
+static int sil_i_dashes_room(sil_dashes *dashes, const sil_strip *strips, size_t strip_count) {
+    size_t i, longest = 1, heads = 64;
+    void *memory;
+    for (i = 0; i < strip_count; ++i)
+        longest = strips[i].count > longest ? strips[i].count : longest;
+    while (heads < dashes->mark_count)
+        heads *= 2;
+    memory = sil_i_grown(&dashes->allocator, dashes->bead, &dashes->bead_capacity, longest, sizeof *dashes->bead, 0);
+    if (!memory)
+        return 0;
+    dashes->bead = (sil_i_bead *)memory;
+    memory = sil_i_grown(&dashes->allocator, dashes->head, &dashes->head_capacity, heads, sizeof *dashes->head, 0);
+    if (!memory)
+        return 0;
+    dashes->head = (uint32_t *)memory;
+    dashes->head_count = heads;
+    return 1;
+}
+
+SIL_DEF sil_result sil_dashes_follow(sil_dashes *dashes, const sil_mesh *mesh, const sil_pose *pose,
+                                     const sil_strip *strips, size_t strip_count, const uint32_t *vertices,
+                                     const sil_ribbon_desc *desc, float *along) {
+    sil_i_pen pen;
+    sil_i_mark *marks;
+    size_t i;
+    if (!dashes || !along || !sil_i_pen_make(&pen, mesh, pose, strips, vertices, desc) || !pen.dash_count)
+        return SIL_INVALID_ARGUMENT;
+    dashes->fresh_count = 0;
+    if (!sil_i_dashes_room(dashes, strips, strip_count))
+        return SIL_OUT_OF_MEMORY;
+    sil_i_marks_place(dashes, &pen);
+    for (i = 0; i < strip_count; ++i) {
+        pen.strip = &strips[i];
+        dashes->strip = (uint32_t)i;
+        if (strips[i].count && !sil_i_dashes_strip(dashes, &pen, along + strips[i].first))
+            return SIL_OUT_OF_MEMORY;
+    }
+    marks = dashes->mark;
+    dashes->mark = dashes->fresh;
+    dashes->fresh = marks;
+    i = dashes->mark_capacity;
+    dashes->mark_capacity = dashes->fresh_capacity;
+    dashes->fresh_capacity = i;
+    dashes->mark_count = dashes->fresh_count;
+    return SIL_OK;
 }
 
 #endif /* SILHOUETTE_IMPLEMENTATION_ONCE */

@@ -44,8 +44,12 @@ static const char HELP[] =
     "  --hide PART[,PART...]    PART is a path as --list shows it, the path of a group (all parts in it), a path's\n"
     "                           last component, or any of these with the wildcards * and ?; later ones win\n"
     "  --list                   print the parts and stop, unless there is -o as well\n"
-    "  --lines KIND[,KIND...][:WIDTH]\n"
-    "                           silhouettes, boundaries, creases; all or none; width in pixels, default 1.5\n"
+    "  --lines WORD[,WORD...][:WIDTH]\n"
+    "                           which: silhouettes, boundaries, creases; all (default) or none; width in pixels, default\n"
+    "                           1.5. How heavy: thick-thin, outlines and borders heavy; outer, where nothing is behind;\n"
+    "                           perspective, the foreground heavy; light, thin toward the upper left. phantom: parts that\n"
+    "                           would be transparent are drawn as dashed lines only; smooth: rounder silhouettes, on\n"
+    "                           meshes without creases\n"
     "  --shade SHADE            cool-to-warm (default) or flat\n"
     "  --background RRGGBB      or none for a see-through one; default ffffff\n"
     "  --k K                    how fast transparent surfaces clear away from their silhouettes (exponent)\n"
@@ -323,8 +327,30 @@ static int set_weights(options *o, const char *value) {
     return DONE;
 }
 
+/* A word of --lines: the first five say which lines, the next four how heavy. */
+static int set_lines_word(options *o, const char *text, size_t length, bool kinds[5]) {
+    static const char *const words[] = {"silhouettes", "boundaries",  "creases", "all",     "none",   "thick-thin",
+                                        "outer",       "perspective", "light",   "phantom", "smooth", NULL};
+    static const illustrate_weight weights[] = {WEIGHT_THICK_THIN, WEIGHT_OUTER, WEIGHT_PERSPECTIVE, WEIGHT_LIGHT};
+    int word = read_word(text, length, words);
+    if (word < 0)
+        return misused("--lines %.*s: not known; there are silhouettes, boundaries, creases, all and none; thick-thin, "
+                       "outer, perspective and light; phantom and smooth",
+                       (int)length, text);
+    if (word < 5) {
+        kinds[word] = true;
+        return DONE;
+    }
+    if (word < 9 && o->job.weight != WEIGHT_ONE && o->job.weight != weights[word - 5])
+        return misused("--lines %.*s: another way to weigh lines was asked for before", (int)length, text);
+    if (word < 9)
+        o->job.weight = weights[word - 5];
+    o->job.phantom = o->job.phantom || word == 9;
+    o->job.smooth = o->job.smooth || word == 10;
+    return DONE;
+}
+
 static int set_lines(options *o, const char *value) {
-    static const char *const words[] = {"silhouettes", "boundaries", "creases", "all", "none", NULL};
     bool kinds[5] = {false};
     const char *colon = strchr(value, ':'), *end = colon ? colon : value + strlen(value);
     double width = (double)o->job.line_width;
@@ -332,20 +358,21 @@ static int set_lines(options *o, const char *value) {
         return misused("--lines %s: the width is not a number of pixels from 0.1 to 64", value);
     for (const char *at = value;; at++) {
         size_t length = strcspn(at, ",:");
-        int kind = read_word(at, length, words);
-        if (kind < 0)
-            return misused("--lines %.*s: not known; there are silhouettes, boundaries, creases, all and none",
-                           (int)length, at);
-        kinds[kind] = true;
+        int result = set_lines_word(o, at, length, kinds);
+        if (result != DONE)
+            return result;
         at += length;
         if (at >= end)
             break;
     }
-    if (kinds[4] && (kinds[0] || kinds[1] || kinds[2] || kinds[3]))
+    bool some = kinds[0] || kinds[1] || kinds[2] || kinds[3];
+    if (kinds[4] && some)
         return misused("--lines %s: none and another kind", value);
-    o->job.silhouettes = kinds[0] || kinds[3];
-    o->job.boundaries = kinds[1] || kinds[3];
-    o->job.creases = kinds[2] || kinds[3];
+    if (some || kinds[4]) {
+        o->job.silhouettes = kinds[0] || kinds[3];
+        o->job.boundaries = kinds[1] || kinds[3];
+        o->job.creases = kinds[2] || kinds[3];
+    }
     o->job.line_width = (float)width;
     return DONE;
 }

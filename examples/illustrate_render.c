@@ -4,6 +4,7 @@
  * The picture is drawn larger (job.quality a side) in tiles and averaged: lines and edges come out clean on every
  * driver, and no size is too large for a texture. */
 #include "illustrate_render.h"
+#include "depth_image.h"
 #include "refine.h"
 
 #include <math.h>
@@ -23,6 +24,8 @@
 #include "transparency.h"
 
 enum { TILE = 2048 }; /* drawn pixels */
+
+#define HEAVIEST 2.4f /* times its width, the heaviest line */
 
 /* One mesh on the GPU and as silhouette.h knows it. Parts that are transparent have one of their own on the GPU, finely
  * divided; their lines are those of the coarse one. */
@@ -48,6 +51,10 @@ typedef struct figure {
     sil_edge *edges;
     sil_strip *strips;
     uint32_t *strip_vertices;
+    sil_smooth_point *smooth; /* NULL, or where smooth silhouettes run, and their strips */
+    sil_strip *smooth_strips;
+    size_t smooth_count, smooth_strip_count;
+    bool phantom;                      /* lines only */
     size_t crease_strips, strip_count; /* creases come first */
     GLsizei crease_vertices, outline_vertices;
 } figure;
@@ -60,6 +67,8 @@ typedef struct renderer {
     figure *figures;
     size_t surface_count, figure_count;
     double view[16], projection[16];
+    double reach[2]; /* distances of the nearest and the farthest place along the view */
+    sil_image drawn; /* what covers a tile, for outer lines */
     tr_context *tr;
     tr_interior interior;
     GLuint framebuffer, color, depth;
@@ -316,7 +325,7 @@ static unsigned char *choose_transparent(renderer *r) {
     unsigned char *transparent = calloc(s->part_count + 1, 1);
     boxes b = {NULL, NULL};
     bool file_says = false, ok = transparent && measure_boxes(s, &b);
-    bool hodges = r->job->style == STYLE_AUTO || r->job->style == STYLE_HODGES;
+    bool hodges = r->job->style == STYLE_AUTO || r->job->style == STYLE_HODGES || r->job->phantom;
     for (size_t i = 0; ok && hodges && i < s->part_count; ++i) {
         transparent[i] = !s->parts[i].hidden && s->parts[i].opacity < 1.0f;
         file_says = file_says || transparent[i];
@@ -390,8 +399,9 @@ static bool make_figures(renderer *r) {
         f->part = &s->parts[i];
         f->surface = f->part->mesh;
         f->object.id = (uint32_t)++r->figure_count;
-        f->object.flags = transparent[i] ? (uint32_t)TR_TRANSPARENT : 0;
-        if (transparent[i]) {
+        f->phantom = transparent[i] && r->job->phantom;
+        f->object.flags = transparent[i] && !f->phantom ? (uint32_t)TR_TRANSPARENT : 0;
+        if (f->object.flags & TR_TRANSPARENT) {
             f->surface = extra++;
             ok = refine_surface(r, &s->meshes[f->part->mesh], &r->surfaces[f->surface]);
             r->surfaces[f->surface].sheet = r->surfaces[f->part->mesh].sheet;
@@ -483,6 +493,8 @@ static bool make_camera(renderer *r) {
     }
     half[1] = fmax(half[1], half[0] / aspect);
     half[0] = half[1] * aspect;
+    r->reach[0] = -e.high[2];
+    r->reach[1] = -e.low[2];
     double n = fmax(-e.high[2] - 0.01 * radius, 0.01 * radius), f = -e.low[2] + 0.01 * radius;
     memset(r->projection, 0, sizeof r->projection);
     for (int k = 0; k < 2; ++k) {
@@ -540,16 +552,6 @@ static bool upload_distances(renderer *r, figure *f, const sil_view *view) {
     return ok;
 }
 
-/* A silhouette edge in a valley is hidden by its own surface, from every eye. Without them the turning points of
- * silhouettes are clean, where a polygonal one runs back behind itself. */
-static size_t drop_valleys(sil_edge *edges, size_t count) {
-    size_t kept = 0;
-    for (size_t i = 0; i < count; ++i)
-        if ((edges[i].kinds & (SIL_SILHOUETTE | SIL_CONCAVE)) != (SIL_SILHOUETTE | SIL_CONCAVE))
-            edges[kept++] = edges[i];
-    return kept;
-}
-
 /* Length of a strip in pixels of the picture; infinite where it comes before the eye. */
 static double strip_length(const renderer *r, const figure *f, const sil_strip *strip, const uint32_t *vertices) {
     const float *positions = r->surfaces[f->part->mesh].positions;
@@ -577,10 +579,29 @@ static size_t drop_short(const renderer *r, const figure *f, sil_strip *strips, 
     return kept;
 }
 
+/* Where lines end. Silhouettes in a valley are hidden by their own surface, from every eye: without them the turning
+ * points are clean, where a polygonal silhouette runs back behind itself. At corners dashes begin anew, and so does the
+ * way that the light looks at. */
+static sil_chain_desc chain_desc(const renderer *r, const figure *f) {
+    sil_chain_desc desc;
+    double to_clip[16];
+    memset(&desc, 0, sizeof desc);
+    if (!(f->object.flags & TR_TWO_SIDED))
+        desc.flags = SIL_CHAIN_NO_CONCAVE;
+    if (f->phantom || r->job->weight == WEIGHT_LIGHT)
+        desc.corner_degrees = 50;
+    scene_multiply(r->projection, f->model_view, to_clip);
+    to_float(to_clip, desc.matrix);
+    desc.viewport_width = (float)r->job->width;
+    desc.viewport_height = (float)r->job->height;
+    return desc;
+}
+
 /* Chains one kind of lines after another: creases first. */
 static bool chain_lines(renderer *r, figure *f, const sil_mesh *mesh, sil_pose *pose, const sil_view *view) {
     const illustrate_job *job = r->job;
-    unsigned outlines = (job->silhouettes ? SIL_SILHOUETTE : 0u) | (job->boundaries ? SIL_BOUNDARY : 0u);
+    const sil_chain_desc chains = chain_desc(r, f);
+    unsigned outlines = (job->silhouettes && !f->smooth ? SIL_SILHOUETTE : 0u) | (job->boundaries ? SIL_BOUNDARY : 0u);
     unsigned kinds[2] = {job->creases ? SIL_CREASE : 0u, outlines};
     size_t edges = sil_mesh_get_info(mesh).edge_count, vertices = 0;
     f->edges = malloc((edges + 1) * sizeof *f->edges);
@@ -590,10 +611,8 @@ static bool chain_lines(renderer *r, figure *f, const sil_mesh *mesh, sil_pose *
         return no_memory(r);
     for (int i = 0; i < 2; ++i) {
         size_t needed = 0, count = kinds[i] ? sil_extract(mesh, pose, view, kinds[i], f->edges, edges) : 0, strips;
-        if (!(f->object.flags & TR_TWO_SIDED))
-            count = drop_valleys(f->edges, count);
-        strips = sil_chain(mesh, pose, f->edges, count, f->strips + f->strip_count, edges, f->strip_vertices + vertices,
-                           2 * edges, &needed);
+        strips = sil_chain_corners(mesh, pose, &chains, f->edges, count, f->strips + f->strip_count, edges,
+                                   f->strip_vertices + vertices, 2 * edges, &needed);
         if (needed == SIZE_MAX)
             return no_memory(r);
         for (size_t k = f->strip_count; k < f->strip_count + strips; ++k)
@@ -605,6 +624,23 @@ static bool chain_lines(renderer *r, figure *f, const sil_mesh *mesh, sil_pose *
         if (i == 0)
             f->crease_strips = f->strip_count;
     }
+    return true;
+}
+
+/* Smooth silhouettes run through the inside of faces, which says nothing where these are meant to be flat. */
+static bool find_smooth(renderer *r, figure *f, const sil_mesh *mesh, sil_pose *pose, const sil_view *view) {
+    if (!r->job->smooth || !r->job->silhouettes || sil_mesh_get_info(mesh).crease_edge_count > 0)
+        return true;
+    f->smooth_strip_count =
+        sil_smooth(mesh, pose, view, NULL, 0, SIL_SMOOTH_HERMITE, NULL, 0, NULL, 0, &f->smooth_count);
+    if (f->smooth_count == SIZE_MAX)
+        return no_memory(r);
+    f->smooth = malloc((f->smooth_count + 1) * sizeof *f->smooth);
+    f->smooth_strips = malloc((f->smooth_strip_count + 1) * sizeof *f->smooth_strips);
+    if (!f->smooth || !f->smooth_strips)
+        return no_memory(r);
+    sil_smooth(mesh, pose, view, NULL, 0, SIL_SMOOTH_HERMITE, f->smooth, f->smooth_count, f->smooth_strips,
+               f->smooth_strip_count, NULL);
     return true;
 }
 
@@ -621,7 +657,7 @@ static bool find_lines(renderer *r, figure *f) {
     sil_pose *pose = sil_pose_create(mesh, &result);
     if (!pose)
         return broken(r, "silhouettes: %s", sil_result_string(result));
-    bool ok = chain_lines(r, f, mesh, pose, &view);
+    bool ok = find_smooth(r, f, mesh, pose, &view) && chain_lines(r, f, mesh, pose, &view);
     if (ok && (f->object.flags & TR_TRANSPARENT))
         ok = upload_distances(r, f, &view);
     sil_pose_destroy(pose);
@@ -687,7 +723,7 @@ static bool make_target(renderer *r) {
     int wide = r->job->width * quality, tall = r->job->height * quality;
     /* Whole pixels of the result in a tile, so that tiles are averaged on their own. */
     int most = TILE / quality * quality;
-    r->margin = 16 + (int)(0.5f * r->job->line_width * (float)quality);
+    r->margin = 16 + (int)(0.5f * HEAVIEST * r->job->line_width * (float)quality);
     r->tile_width = (wide < most ? wide : most) + 2 * r->margin;
     r->tile_height = (tall < most ? tall : most) + 2 * r->margin;
     glGenTextures(1, &r->color);
@@ -720,13 +756,20 @@ static void tile_projection(const renderer *r, int x, int y, double out[16]) {
     scene_multiply(crop, r->projection, out);
 }
 
-/* The ribbons of one figure in a tile. */
-static bool upload_lines(renderer *r, figure *f, const double projection[16]) {
-    const sil_mesh *mesh = r->surfaces[f->part->mesh].mesh;
+/* Diepstraten 2002, figure 2: a long dash and two short ones, in pixels of the picture. */
+static void set_phantom(const renderer *r, sil_ribbon_desc *desc, float dashes[6]) {
+    static const float pattern[6] = {16, 5, 4, 5, 4, 5};
+    for (int i = 0; i < 6; ++i)
+        dashes[i] = pattern[i] * (float)r->job->quality * fmaxf(1, r->job->line_width / 1.5f);
+    desc->cap = SIL_CAP_BUTT;
+    desc->dashes = dashes;
+    desc->dash_count = 6;
+}
+
+static sil_ribbon_desc ribbon_desc(const renderer *r, const figure *f, const double projection[16]) {
+    static const sil_weight weights[] = {SIL_WEIGHT_ONE, SIL_WEIGHT_THICK_THIN, SIL_WEIGHT_OUTER,
+                                         SIL_WEIGHT_PERSPECTIVE, SIL_WEIGHT_LIGHT};
     sil_ribbon_desc desc;
-    size_t creases, all;
-    if (!f->strips) /* a flattened part */
-        return true;
     memset(&desc, 0, sizeof desc);
     to_float(f->model_view, desc.model_view);
     to_float(projection, desc.projection);
@@ -734,21 +777,84 @@ static bool upload_lines(renderer *r, figure *f, const double projection[16]) {
     desc.viewport_height = (float)r->tile_height;
     desc.width = r->job->line_width * (float)r->job->quality;
     desc.width_scale[2] = 0.7f; /* creases, lighter than what bounds a shape */
-    creases = sil_ribbons(mesh, NULL, f->strips, f->crease_strips, f->strip_vertices, &desc, NULL, 0);
-    all = creases + sil_ribbons(mesh, NULL, f->strips + f->crease_strips, f->strip_count - f->crease_strips,
-                                f->strip_vertices, &desc, NULL, 0);
+    desc.weight = weights[r->job->weight];
+    if (r->job->weight == WEIGHT_PERSPECTIVE || r->job->weight == WEIGHT_LIGHT) {
+        desc.heavy = HEAVIEST;
+        desc.thin = 0.6f;
+    }
+    desc.reach[0] = (float)r->reach[0];
+    desc.reach[1] = (float)r->reach[1];
+    desc.image = &r->drawn;
+    return desc;
+}
+
+/* The ribbons of one figure in a tile: creases, outlines, smooth silhouettes. Counts without `out`. */
+static void make_ribbons(const renderer *r, const figure *f, const sil_ribbon_desc *desc, sil_ribbon_vertex *out,
+                         size_t count[3]) {
+    const sil_mesh *mesh = r->surfaces[f->part->mesh].mesh;
+    sil_ribbon_desc smooth = *desc;
+    count[0] = sil_ribbons(mesh, NULL, f->strips, f->crease_strips, f->strip_vertices, desc, out, out ? count[0] : 0);
+    out = out ? out + count[0] : NULL;
+    count[1] = sil_ribbons(mesh, NULL, f->strips + f->crease_strips, f->strip_count - f->crease_strips,
+                           f->strip_vertices, desc, out, out ? count[1] : 0);
+    out = out ? out + count[1] : NULL;
+    count[2] = 0;
+    if (f->smooth) {
+        smooth.points = f->smooth[0].position;
+        smooth.point_stride = sizeof *f->smooth;
+        smooth.point_count = f->smooth_count;
+        count[2] =
+            sil_ribbons(mesh, NULL, f->smooth_strips, f->smooth_strip_count, NULL, &smooth, out, out ? SIZE_MAX : 0);
+    }
+}
+
+static bool upload_lines(renderer *r, figure *f, const double projection[16]) {
+    sil_ribbon_desc desc = ribbon_desc(r, f, projection);
+    float dashes[6];
+    size_t count[3], all;
+    if (!f->strips) /* a flattened part */
+        return true;
+    if (f->phantom)
+        set_phantom(r, &desc, dashes);
+    make_ribbons(r, f, &desc, NULL, count);
+    all = count[0] + count[1] + count[2];
     sil_ribbon_vertex *v = malloc((all + 1) * sizeof *v);
     if (!v)
         return no_memory(r);
-    sil_ribbons(mesh, NULL, f->strips, f->crease_strips, f->strip_vertices, &desc, v, creases);
-    sil_ribbons(mesh, NULL, f->strips + f->crease_strips, f->strip_count - f->crease_strips, f->strip_vertices, &desc,
-                v + creases, all - creases);
+    make_ribbons(r, f, &desc, v, count);
     glBindBuffer(GL_ARRAY_BUFFER, f->line_buffer);
     glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)(all * sizeof *v), v, GL_STREAM_DRAW);
-    f->crease_vertices = (GLsizei)creases;
-    f->outline_vertices = (GLsizei)(all - creases);
+    f->crease_vertices = (GLsizei)count[0];
+    f->outline_vertices = (GLsizei)(count[1] + count[2]);
     free(v);
     return true;
+}
+
+/* What covers a tile, for outer lines. */
+static bool draw_depths(renderer *r, const double projection[16], depth_image *image) {
+    if (!depth_image_create(image, r->tile_width, r->tile_height))
+        return no_memory(r);
+    for (size_t i = 0; i < r->figure_count; ++i) {
+        const figure *f = &r->figures[i];
+        const surface *s = &r->surfaces[f->part->mesh];
+        double to_clip[16];
+        scene_multiply(projection, f->model_view, to_clip);
+        if (!f->phantom)
+            depth_image_draw(image, s->positions, s->vertex_count, s->indices, s->index_count, to_clip);
+    }
+    r->drawn.depth = image->depth;
+    r->drawn.width = (uint32_t)image->width;
+    r->drawn.height = (uint32_t)image->height;
+    return true;
+}
+
+static bool upload_all_lines(renderer *r, const double projection[16]) {
+    depth_image image = {NULL, 0, 0};
+    bool ok = r->job->weight != WEIGHT_OUTER || draw_depths(r, projection, &image);
+    for (size_t i = 0; ok && i < r->figure_count; ++i)
+        ok = upload_lines(r, &r->figures[i], projection);
+    depth_image_destroy(&image);
+    return ok;
 }
 
 static bool is_dark(const float background[4]) {
@@ -813,7 +919,8 @@ static void draw_pass(renderer *r, const tr_pass *pass, const double projection[
         if (!tr_pass_draws(pass, &f->object))
             continue;
         if (!pass->lines) {
-            draw_surface(r, pass, f, projection);
+            if (!f->phantom)
+                draw_surface(r, pass, f, projection);
             continue;
         }
         glBindVertexArray(f->line_array);
@@ -843,9 +950,8 @@ static bool draw_tile(renderer *r, int x, int y, const float background[3]) {
     double projection[16], since;
     int index = 0;
     tile_projection(r, x - r->margin, y - r->margin, projection);
-    for (size_t i = 0; i < r->figure_count; ++i)
-        if (!upload_lines(r, &r->figures[i], projection))
-            return false;
+    if (!upload_all_lines(r, projection))
+        return false;
     glBindFramebuffer(GL_FRAMEBUFFER, r->framebuffer);
     glViewport(0, 0, r->tile_width, r->tile_height);
     glDepthMask(GL_TRUE);
@@ -1164,6 +1270,8 @@ static void finish(renderer *r) {
         free(f->edges);
         free(f->strips);
         free(f->strip_vertices);
+        free(f->smooth);
+        free(f->smooth_strips);
     }
     for (size_t i = 0; r->surfaces && i < r->surface_count; ++i) {
         surface *s = &r->surfaces[i];

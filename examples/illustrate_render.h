@@ -17,6 +17,14 @@ typedef enum illustrate_interior {
     INTERIOR_PUBLISHED
 } illustrate_interior;
 typedef enum illustrate_blend { BLEND_OVER, BLEND_NORMALISED, BLEND_PUBLISHED } illustrate_blend;
+/* How heavy lines are: silhouette.h's conventions. */
+typedef enum illustrate_weight {
+    WEIGHT_ONE,
+    WEIGHT_THICK_THIN,
+    WEIGHT_OUTER,
+    WEIGHT_PERSPECTIVE,
+    WEIGHT_LIGHT
+} illustrate_weight;
 enum { PART_AUTO = 0, PART_TRANSPARENT = 1, PART_OPAQUE = 2 };
 
 typedef struct illustrate_job {
@@ -29,6 +37,9 @@ typedef struct illustrate_job {
     int quality;                      /* supersampling factor per axis, 1 to 8 */
     bool silhouettes, boundaries, creases;
     float line_width; /* pixels of the result */
+    illustrate_weight weight;
+    bool phantom; /* transparent parts are drawn by their lines alone, dashed */
+    bool smooth;  /* silhouettes of meshes without creases are smooth ones */
     illustrate_shade shade;
     float background[4]; /* colour and alpha, 0 to 1; alpha 0: the result is see-through where nothing was drawn */
     float opaque_weight; /* weight of opaque things behind a transparent surface; negative: the renderer's default */
