@@ -162,7 +162,6 @@ extern "C" {
     X(TR_GL_FUNCTION_MISSING, "a GL function that is needed was not found")                                            \
     X(TR_SHADER_FAILED, "a shader did not compile or link")                                                            \
     X(TR_TARGET_INCOMPLETE, "a framebuffer is not complete (no memory for its textures, or the target is not)")        \
-    X(TR_TARGET_MULTISAMPLED, "the target is multisampled, which this version does not draw into")                     \
     X(TR_TOO_LARGE, "the viewport is larger than the context's textures can be")                                       \
     X(TR_WRONG_ORDER, "tr_begin or tr_release inside of a frame, or tr_end outside")
 
@@ -193,10 +192,11 @@ typedef struct tr_desc {
     void *log_user;
     tr_state_policy state;
     int max_gl_version;     /* 0: what the context has; 330: use nothing newer than 3.3 (for tests of fall-backs) */
-    int first_texture_unit; /* five units from here on are ours; 0: 8 */
+    int first_texture_unit; /* TR_TEXTURE_UNITS units from here on are ours; 0: 8 */
     int uniform_binding;    /* uniform buffer binding point that is ours; 0: 15 */
     int reversed_z;         /* 1: near is 1, far is 0 */
     int front_face_cw;      /* 1: front faces are wound clockwise in window space */
+    int zero_to_one;        /* 1: clip depth runs from 0 to 1 (glClipControl), as frame.projection has it */
 } tr_desc;
 
 /* ---- what is drawn ---------------------------------------------------------------------------------------------- */
@@ -204,25 +204,41 @@ typedef struct tr_desc {
 enum {
     TR_OPAQUE = 0,
     TR_TRANSPARENT = 1,
-    TR_TWO_SIDED = 2 /* open sheets: both sides count as front, none as back */
+    TR_TWO_SIDED = 2, /* open sheets: both sides count as front, none as back */
+    TR_IMPLICIT = 4,  /* interiors of this object, whatever the frame's are */
+    TR_EXPLICIT = 8,
+    TR_CLOSED =
+        16, /* a fact, for TR_INTERIOR_AUTO: each edge has two faces, so that there is an inside (sil_mesh_info) */
+    TR_HOLDING = 32 /* a fact: opaque objects lie within that inside, between front and back faces (sil_containment) */
 };
+/* Transparent objects of one semantic group, 1 to 127, show through each other; to be or-ed into the flags. */
+#define TR_GROUP(number) ((uint32_t)(number) << 8)
+#define TR_MAX_GROUP 127
 
 /* One object of the host's, as far as passes care. */
 typedef struct tr_object {
     uint32_t id;    /* stable, unique among transparent objects, 0 ... 2^24 - 2 */
-    uint32_t flags; /* TR_TRANSPARENT, TR_TWO_SIDED */
+    uint32_t flags; /* TR_TRANSPARENT, TR_TWO_SIDED, ..., TR_GROUP() */
 } tr_object;
 
 /* What is in the scene, as counts: a plan follows from them, no object list is kept. */
 typedef struct tr_scene {
     uint32_t opaque, opaque_two_sided, transparent, transparent_two_sided;
+    uint32_t implicit_asked, explicit_asked; /* of the transparent ones: TR_IMPLICIT, TR_EXPLICIT */
+    uint32_t holding;                        /* of the other transparent ones: TR_CLOSED and TR_HOLDING */
+    uint32_t group_size;                     /* transparent objects in the largest group */
+    uint32_t invalid;                        /* objects with an id, a group or flags out of range */
 } tr_scene;
 
 typedef enum tr_interior {
     TR_INTERIOR_IMPLICIT, /* Diepstraten 6.1 (method I), mended: opaque things show up to the next back face */
     TR_INTERIOR_IMPLICIT_PUBLISHED, /* the same as the paper has it, with its two faults: see docs/transparency.md */
-    TR_INTERIOR_EXPLICIT /* Diepstraten 6.2 (method II): up to the next front face; for modelled inner walls */
+    TR_INTERIOR_EXPLICIT, /* Diepstraten 6.2 (method II): up to the next front face; for modelled inner walls */
+    TR_INTERIOR_AUTO,     /* object by object: implicit where TR_CLOSED and TR_HOLDING, else explicit */
+    TR_INTERIOR_LAYERS    /* wishes.layers front faces, opaque things up to the next one; 1: as TR_INTERIOR_EXPLICIT */
 } tr_interior;
+#define TR_MAX_LAYERS 8
+#define TR_MAX_SUPERSAMPLE 4
 
 /* alpha and C of the transparent surface; w: weight of what is behind it, D: its colour. */
 typedef enum tr_blending {
@@ -231,17 +247,29 @@ typedef enum tr_blending {
     TR_BLENDING_PUBLISHED   /* alpha C + w D, clamped by the target */
 } tr_blending;
 
-enum { TR_LINES_CREASES = 1, TR_LINES_OUTLINES = 2 }; /* outlines: silhouettes and boundaries */
+enum {
+    TR_LINES_CREASES = 1,
+    TR_LINES_OUTLINES = 2, /* silhouettes and boundaries */
+    TR_LINES_HIDDEN = 4,   /* phantom lines, of whatever kind, drawn where the others are hidden */
+    TR_LINES_OUTER = 8     /* wide outlines, drawn only where no surface is: Gooch 1999, section 5.1.3 */
+};
+
+enum {
+    TR_WISH_BLEND_COLOR = 1, /* frame.blend_color in place of the background behind transparent surfaces */
+    TR_WISH_SRGB = 2         /* colours are sRGB, blended as light; into a target with an sRGB format */
+};
 
 typedef struct tr_wishes {
     tr_interior interior;
     tr_blending blending;
-    uint32_t lines; /* TR_LINES_*: which the host has ribbons for */
+    uint32_t lines;       /* TR_LINES_*: which the host has ribbons for */
+    uint32_t layers;      /* TR_INTERIOR_LAYERS: 1 ... TR_MAX_LAYERS; else the most of a group that are shown; 0: all */
+    uint32_t options;     /* TR_WISH_* */
+    uint32_t supersample; /* our textures per side of a pixel, 1 ... TR_MAX_SUPERSAMPLE; 0: 1, multisampled targets 2 */
 } tr_wishes;
 
 typedef struct tr_frame {
-    uint32_t
-        framebuffer; /* target; single-sampled; its first draw buffer is drawn into, depth tested if it has depth */
+    uint32_t framebuffer;    /* target; its first draw buffer is drawn into, depth tested if it has depth */
     int x, y, width, height; /* viewport within the target, pixels */
     tr_scene scene;
     tr_wishes wishes;
@@ -255,43 +283,56 @@ typedef struct tr_frame {
     int black_creases;
     float outline_color[3]; /* zero: black */
     float line_tolerance;   /* depth tolerance of lines in pixels toward the eye; 0: default 2 */
+    float blend_color[3];   /* of TR_WISH_BLEND_COLOR */
+    float group_distance;   /* groups: distance along the view, in eye units, below which one shows; 0: however far */
+    float projection[16];   /* column-major, as the objects are drawn; needed where group_distance is given */
+    float jitter[2];        /* sub-pixel jitter in the projection, pixels: lines are shifted by it, as surfaces are */
 } tr_frame;
 
 /* ---- the plan --------------------------------------------------------------------------------------------------- */
 
 typedef enum tr_pass_kind {
-    TR_PASS_FRONT,             /* depth of the nearest transparent front face */
-    TR_PASS_OWNER,             /* and whose it is */
+    TR_PASS_FRONT,             /* depth of the nearest transparent front face; with its colour where that cannot tie */
+    TR_PASS_PEEL,              /* the same of the next layer behind */
+    TR_PASS_LAYER,             /* whose a layer is, and its colour and alpha */
     TR_PASS_LIMIT,             /* depth from which on opaque things are hidden */
     TR_PASS_OPAQUE,            /* opaque colour */
     TR_PASS_COPY_DEPTH,        /* full screen */
     TR_PASS_OPAQUE_LINES,      /* lines of opaque objects */
-    TR_PASS_BLENDED,           /* colour and alpha of the front-most transparent face */
     TR_PASS_COMPOSE,           /* full screen, into the target */
     TR_PASS_TRANSPARENT_LINES, /* lines of transparent objects, into the target */
+    TR_PASS_HIDDEN_LINES,      /* phantom lines where those are hidden, into the target */
+    TR_PASS_OUTER_LINES,       /* wide outlines outside of everything, into the target */
     TR_PASS_KIND_COUNT
 } tr_pass_kind;
 
 /* What the fragment shader of an object does in a pass: TR_RULE of shaders/surface_rules.glsl. */
 typedef enum tr_rule {
     TR_RULE_FRONT,
-    TR_RULE_OWNER,
+    TR_RULE_FRONT_ALONE,
+    TR_RULE_PEEL,
+    TR_RULE_PEEL_ALONE,
+    TR_RULE_PEEL_GROUP,
+    TR_RULE_LAYER,
+    TR_RULE_LAYER_MARKED,
+    TR_RULE_LAYER_GROUP,
     TR_RULE_LIMIT,
     TR_RULE_LIMIT_SHEET,
     TR_RULE_LIMIT_BEHIND,
+    TR_RULE_LIMIT_MARKED,
+    TR_RULE_LIMIT_MARKED_SHEET,
     TR_RULE_OPAQUE,
-    TR_RULE_BLENDED,
-    TR_RULE_BLENDED_ALONE,
     TR_RULE_COUNT
 } tr_rule;
 
-#define TR_MAX_PASSES 20
+#define TR_MAX_PASSES 64
 
 typedef struct tr_plan_pass {
     tr_pass_kind kind;
     tr_rule rule;                 /* of surface passes */
-    uint32_t classes;             /* which objects: bit (flags of tr_object) */
+    uint32_t classes;             /* which objects: bit (TR_TRANSPARENT and TR_TWO_SIDED of their flags) */
     uint32_t lines;               /* 0: surfaces; else which lines */
+    int layer;                    /* that the pass draws, 0: the front-most */
     int clear_color, clear_depth; /* 1: the first to draw there */
     uint32_t bytes_per_pixel;     /* of textures that this pass is the first to need */
     int cull;                     /* 0: nothing, 1: back faces, 2: front faces */
@@ -302,7 +343,12 @@ typedef struct tr_plan {
     int pass_count;
     tr_plan_pass passes[TR_MAX_PASSES];
     uint32_t textures;        /* bits of those that are needed, see tr_plan_print */
-    uint32_t bytes_per_pixel; /* of our own textures */
+    uint32_t bytes_per_pixel; /* of our own textures, per pixel of the target */
+    int layers;               /* transparent surfaces that a pixel may show, one behind the other */
+    int supersample;          /* texels of ours per side of a pixel */
+    int grouped, mixed;       /* 1: groups show through; objects differ in their interiors */
+    tr_interior interior;     /* of all, where not mixed; never TR_INTERIOR_AUTO */
+    const char *why;          /* of interior and layers */
 } tr_plan;
 
 /* Pure CPU: the fewest passes that draw what is there and wished. Returns TR_INVALID_ARGUMENT for values out of range. */
@@ -315,6 +361,8 @@ TR_DEF tr_scene tr_scene_count(const void *objects, size_t count, size_t stride)
 
 /* ---- the sequence ----------------------------------------------------------------------------------------------- */
 
+#define TR_TEXTURE_UNITS 7
+
 /* The state that differs from pass to pass, as data; GL enumerants by their numbers. Under TR_STATE_NONE the host applies it:
    framebuffer, viewport, clears (of the whole framebuffer, masks open), then the rest. */
 typedef struct tr_state {
@@ -323,13 +371,15 @@ typedef struct tr_state {
     uint32_t program;      /* built-in; the host's own may stand in for it in surface passes */
     uint32_t vertex_array; /* of full-screen passes */
     int vertex_count;      /* 3: the host draws glDrawArrays(GL_TRIANGLES, 0, 3); 0: the host draws its objects */
-    uint32_t textures[5];  /* GL_TEXTURE_2D on unit first_texture_unit + i, no sampler object; 0: not read */
+    uint32_t textures[TR_TEXTURE_UNITS];        /* on unit first_texture_unit + i, no sampler object; 0: not read */
+    uint32_t texture_targets[TR_TEXTURE_UNITS]; /* GL_TEXTURE_2D or GL_TEXTURE_2D_ARRAY */
     int first_texture_unit;
-    uint32_t uniform_buffer; /* bound to uniform_binding */
-    int uniform_binding;
+    uint32_t uniform_buffer; /* bound to uniform_binding, this range of it */
+    int uniform_binding, uniform_offset, uniform_size;
     int clear_color, clear_depth; /* 1: clear before drawing */
     float clear_color_value[4], clear_depth_value;
-    int color_write; /* attachment 0; others are never written */
+    int color_write; /* attachment 0 of the target, all of framebuffers of ours; others are never written */
+    int srgb;        /* 1: GL_FRAMEBUFFER_SRGB on */
     int depth_test, depth_write;
     uint32_t depth_func;
     int blend;
@@ -342,7 +392,8 @@ typedef struct tr_pass {
     tr_pass_kind kind;
     tr_rule rule;
     uint32_t classes;
-    uint32_t lines; /* 0: draw surfaces; TR_LINES_CREASES or TR_LINES_OUTLINES: draw these lines of the objects */
+    uint32_t lines; /* 0: draw surfaces; one of TR_LINES_*: draw these lines of the objects */
+    int layer;      /* that the pass draws, 0: the front-most */
     const char *name;
     tr_state state;
 } tr_pass;
@@ -360,13 +411,16 @@ TR_DEF int tr_next_pass(tr_context *tr, tr_pass *pass);
 TR_DEF int tr_pass_draws(const tr_pass *pass, const tr_object *object);
 TR_DEF tr_result tr_end(tr_context *tr); /* may come early: what is drawn so far stays */
 
+/* The number that shaders know an object by: id, group (from bit 24) and, in bit 31, whether its interiors are explicit. */
+TR_DEF uint32_t tr_object_code(const tr_object *object, const tr_wishes *wishes);
+
 /* Uniforms of the built-in surface programs. */
 typedef struct tr_material {
     float model_view_projection[16]; /* column-major */
     float normal_matrix[9];          /* column-major 3x3: object space to the space of tr_frame.light */
     float color[4];                  /* rgb added to attribute 3; alpha on the silhouette, of transparent objects */
     float d_max, k;                  /* equation 2; d_max = 0: alpha is constant */
-    uint32_t object;                 /* tr_object.id */
+    uint32_t object;                 /* tr_object_code, or the id alone without groups and methods of its own */
 } tr_material;
 
 /* For surface passes drawn with the built-in program; call it after tr_next_pass, before the draw call. */
@@ -454,62 +508,162 @@ static const char *const tr_i_shader_alpha_law_glsl[] = {
     "    return clamp(1.0 - exp2(k * log2(ratio)), 0.0, 1.0);\n"
     "}\n",
     0};
+static const char *const tr_i_shader_chain_glsl[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// Fragment stage. Which layers of a semantic group are shown: a chain from the front-most face on.\n"
+    "//\n"
+    "// A layer whose owner was not written is not of the group or too far away; one of an object that an earlier layer shows\n"
+    "// is that object's next face, which never shines through. Either ends the chain.\n"
+    "#if TR_CHAIN\n"
+    "uniform highp sampler2DArray tr_front_owner; // by layer: ids as depths, 1 where none was written\n"
+    "\n"
+    "// How many of the first `count` layers are shown.\n"
+    "int tr_chain(ivec2 pixel, int count)\n"
+    "{\n"
+    "    for (int i = 1; i < count; ++i) {\n"
+    "        highp float owner = texelFetch(tr_front_owner, ivec3(pixel, i), 0).r;\n"
+    "        if (owner == 1.0)\n"
+    "            return i;\n"
+    "        for (int j = 0; j < i; ++j)\n"
+    "            if (texelFetch(tr_front_owner, ivec3(pixel, j), 0).r == owner)\n"
+    "                return i;\n"
+    "    }\n"
+    "    return count;\n"
+    "}\n"
+    "#endif\n",
+    0};
 static const char *const tr_i_shader_compose_frag[] = {
     "#line 1\n"
     "// For: transparency.h\n"
-    "// The transparent layer over opaque things, into the host's target; Diepstraten 2002, sections 5 and 7.\n"
+    "// Transparent layers over opaque things, into the host's target; Diepstraten 2002, sections 5 and 7.\n"
     "//\n"
-    "// alpha_t, C_t: the transparent surface; w, C_d: what is behind it, an opaque thing or the background, which is what\n"
-    "// the host's target holds. All three blendings have the form rgb + a * target, drawn with the blend function\n"
+    "// alpha_t, C_t: a transparent surface; w, C_d: what is behind it, an opaque thing or the background, which is what the\n"
+    "// host's target holds. All three blendings have the form rgb + a * target, drawn with the blend function\n"
     "// (ONE, SRC_ALPHA), so that the target's own alpha is neither needed nor touched.\n"
+    "//\n"
+    "// TR_SUPERSAMPLE: our textures have that many texels along each side of a target's pixel, averaged here.\n"
     "#define TR_BLENDING_OVER 0\n"
     "#define TR_BLENDING_NORMALISED 1\n"
     "#define TR_BLENDING_PUBLISHED 2\n"
     "\n"
+    "#if TR_HAS_SCENE\n"
     "uniform highp sampler2D tr_scene_depth;\n"
+    "#endif\n"
     "#if TR_HAS_OPAQUE\n"
     "uniform highp sampler2D tr_opaque_color; // a = 1 where an opaque thing is\n"
     "#endif\n"
-    "#if TR_HAS_LAYER\n"
-    "uniform highp sampler2D tr_front_depth;\n"
-    "uniform highp sampler2D tr_layer_color;\n"
+    "#if TR_LAYERS > 0\n"
+    "uniform highp sampler2DArray tr_front_depth; // of layers 0, 2, 4, ...\n"
+    "uniform highp sampler2DArray tr_layer_color;\n"
+    "#endif\n"
+    "#if TR_LAYERS > 1\n"
+    "uniform highp sampler2DArray tr_odd_depth; // of layers 1, 3, 5, ...\n"
     "#endif\n"
     "layout(location = 0) out highp vec4 tr_color;\n"
     "\n"
-    "void main()\n"
-    "{\n"
-    "    ivec2 pixel = ivec2(gl_FragCoord.xy) - ivec2(tr_viewport.xy);\n"
-    "    highp float depth = texelFetch(tr_scene_depth, pixel, 0).r;\n"
-    "    gl_FragDepth = depth;\n"
-    "#if TR_HAS_OPAQUE\n"
-    "    highp vec4 behind = texelFetch(tr_opaque_color, pixel, 0);\n"
+    "#ifdef TR_REVERSED_Z\n"
+    "#define TR_BEHIND(a, b) ((a) < (b))\n"
     "#else\n"
-    "    highp vec4 behind = vec4(0.0);\n"
+    "#define TR_BEHIND(a, b) ((a) > (b))\n"
     "#endif\n"
-    "    bool opaque = behind.a > 0.5;\n"
-    "    // What is behind, as rgb + keep * target.\n"
-    "    highp float keep = opaque ? 0.0 : 1.0;\n"
-    "    highp vec3 color = opaque ? behind.rgb : vec3(0.0);\n"
-    "#if TR_HAS_LAYER\n"
-    "    // The scene's depth is the front-most transparent surface's where that was drawn, and only there.\n"
-    "    if (depth != TR_CLEAR_DEPTH && depth == texelFetch(tr_front_depth, pixel, 0).r) {\n"
-    "        highp vec4 front = texelFetch(tr_layer_color, pixel, 0);\n"
-    "        highp float weight = opaque ? tr_weights.x : tr_weights.y;\n"
+    "\n"
+    "// Display values to light, IEC 61966-2-1, where light is what is blended.\n"
+    "highp vec3 tr_light_of(highp vec3 color)\n"
+    "{\n"
+    "#if TR_SRGB\n"
+    "    return mix(color * (1.0 / 12.92), pow((color + 0.055) * (1.0 / 1.055), vec3(2.4)), step(0.04045, color));\n"
+    "#else\n"
+    "    return color;\n"
+    "#endif\n"
+    "}\n"
+    "\n"
+    "#if TR_LAYERS > 0\n"
+    "highp float tr_depth_of_layer(ivec2 pixel, int layer)\n"
+    "{\n"
+    "#if TR_LAYERS > 1\n"
+    "    if ((layer & 1) != 0)\n"
+    "        return texelFetch(tr_odd_depth, ivec3(pixel, layer >> 1), 0).r;\n"
+    "#endif\n"
+    "    return texelFetch(tr_front_depth, ivec3(pixel, layer >> 1), 0).r;\n"
+    "}\n"
+    "\n"
+    "// A layer's surface over rgb + a * target.\n"
+    "highp vec4 tr_over(highp vec4 surface, highp vec4 behind, highp float weight)\n"
+    "{\n"
     "#if TR_BLENDING == TR_BLENDING_OVER\n"
-    "        weight = 1.0 - front.a;\n"
+    "    weight = 1.0 - surface.a;\n"
     "#elif TR_BLENDING == TR_BLENDING_NORMALISED\n"
-    "        highp float total = front.a + weight;\n"
-    "        front.a = total > 0.0 ? front.a / total : 0.0;\n"
-    "        weight = 1.0 - front.a;\n"
+    "    highp float total = surface.a + weight;\n"
+    "    surface.a = total > 0.0 ? surface.a / total : 0.0;\n"
+    "    weight = 1.0 - surface.a;\n"
     "#endif\n"
-    "        // The published sum may be above one; where the target adds its own part, its format clamps.\n"
-    "        tr_color = vec4(min(front.a * front.rgb + weight * color, 1.0), weight * keep);\n"
-    "        return;\n"
+    "    // The published sum may be above one; where the target adds its own part, its format clamps.\n"
+    "    return vec4(min(surface.a * tr_light_of(surface.rgb) + weight * behind.rgb, 1.0), weight * behind.a);\n"
+    "}\n"
+    "#endif\n"
+    "\n"
+    "// One texel: rgb + a * target; depth of what is seen there, TR_CLEAR_DEPTH where nothing is.\n"
+    "highp vec4 tr_compose(ivec2 pixel, out highp float depth)\n"
+    "{\n"
+    "    highp vec4 result = vec4(0.0, 0.0, 0.0, 1.0);\n"
+    "    highp float weight = tr_weights.y;\n"
+    "    bool hides = TR_PUBLISHED != 0; // published: the limit hides transparent surfaces too\n"
+    "    depth = TR_CLEAR_DEPTH;\n"
+    "#if TR_HAS_SCENE\n"
+    "    highp float scene = texelFetch(tr_scene_depth, pixel, 0).r;\n"
+    "#else\n"
+    "    highp float scene = TR_CLEAR_DEPTH;\n"
+    "#endif\n"
+    "#if TR_HAS_OPAQUE\n"
+    "    highp vec4 opaque = texelFetch(tr_opaque_color, pixel, 0);\n"
+    "    if (opaque.a > 0.5) {\n"
+    "        result = vec4(tr_light_of(opaque.rgb), 0.0);\n"
+    "        weight = tr_weights.x;\n"
+    "        hides = true;\n"
+    "        depth = scene;\n"
     "    }\n"
     "#endif\n"
-    "    if (!opaque)\n"
+    "#if TR_LAYERS > 0\n"
+    "    bool first = true;\n"
+    "#if TR_CHAIN\n"
+    "    int layers = tr_chain(pixel, TR_LAYERS);\n"
+    "#else\n"
+    "    const int layers = TR_LAYERS;\n"
+    "#endif\n"
+    "    for (int layer = layers - 1; layer >= 0; --layer) {\n"
+    "        highp float at = tr_depth_of_layer(pixel, layer);\n"
+    "        if (at == TR_CLEAR_DEPTH || (hides && TR_BEHIND(at, scene)))\n"
+    "            continue;\n"
+    "#if TR_BLEND_COLOR\n"
+    "        if (first && result.a > 0.0)\n"
+    "            result = vec4(tr_light_of(tr_blend.rgb), 0.0);\n"
+    "#endif\n"
+    "        first = false;\n"
+    "        result = tr_over(texelFetch(tr_layer_color, ivec3(pixel, layer), 0), result, weight);\n"
+    "        depth = at;\n"
+    "    }\n"
+    "#endif\n"
+    "    return result;\n"
+    "}\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    ivec2 corner = (ivec2(gl_FragCoord.xy) - ivec2(tr_viewport.xy)) * TR_SUPERSAMPLE;\n"
+    "    highp vec4 sum = vec4(0.0);\n"
+    "    highp float nearest = TR_CLEAR_DEPTH;\n"
+    "    for (int y = 0; y < TR_SUPERSAMPLE; ++y) {\n"
+    "        for (int x = 0; x < TR_SUPERSAMPLE; ++x) {\n",
+    "#line 120\n"
+    "            highp float depth;\n"
+    "            sum += tr_compose(corner + ivec2(x, y), depth);\n"
+    "            nearest = TR_BEHIND(nearest, depth) ? depth : nearest;\n"
+    "        }\n"
+    "    }\n"
+    "    tr_color = sum * (1.0 / float(TR_SUPERSAMPLE * TR_SUPERSAMPLE));\n"
+    "    if (nearest == TR_CLEAR_DEPTH && tr_color.a == 1.0)\n"
     "        discard;\n"
-    "    tr_color = vec4(color, keep);\n"
+    "    gl_FragDepth = nearest;\n"
     "}\n",
     0};
 static const char *const tr_i_shader_cool_to_warm_glsl[] = {
@@ -542,7 +696,7 @@ static const char *const tr_i_shader_copy_depth_frag[] = {
 static const char *const tr_i_shader_frame_block_glsl[] = {
     "#line 1\n"
     "// For: transparency.h\n"
-    "// What is the same for all passes of one frame (std140, written by tr_begin).\n"
+    "// What is the same for all passes of one frame (std140, written by tr_begin), but for its last member.\n"
     "layout(std140) uniform tr_frame\n"
     "{\n"
     "    highp vec4 tr_light;    // xyz: toward the light, unit length, in the space of the normals\n"
@@ -551,7 +705,18 @@ static const char *const tr_i_shader_frame_block_glsl[] = {
     "    highp vec4 tr_weights;  // x: of opaque things, y: of the background, z: tolerance of lines in pixels\n"
     "    highp vec4 tr_viewport; // x, y, width, height of the target's viewport\n"
     "    highp vec4 tr_ink[2];   // rgb: creases; outlines\n"
-    "};\n",
+    "    highp vec4 tr_eye;      // distance along the view of window depth d: (x + y d) / (z + w d)\n"
+    "    highp vec4 tr_blend;    // rgb: stands for the background behind transparent surfaces; a: group distance\n"
+    "    highp vec4 tr_enter;    // x: strength of the shade, y: its width, z: width of the curve, in pixels\n"
+    "    highp vec4 tr_shift;    // xy: sub-pixel jitter in pixels\n"
+    "    highp ivec4 tr_step;    // x: the layer that this pass reads\n"
+    "};\n"
+    "\n"
+    "// How far a window depth is from the eye, along the view direction.\n"
+    "highp float tr_distance_of(highp float depth)\n"
+    "{\n"
+    "    return (tr_eye.x + tr_eye.y * depth) / (tr_eye.z + tr_eye.w * depth);\n"
+    "}\n",
     0};
 static const char *const tr_i_shader_fullscreen_vert[] = {
     "#line 1\n"
@@ -571,51 +736,93 @@ static const char *const tr_i_shader_line_frag[] = {
     "// A line lies on the rim of its own surface: tested pixel by pixel, the surface would eat its inner half. So a line's\n"
     "// visibility is that of its centre, against the farthest depth around it: on a silhouette one side always lies\n"
     "// farther, and where something covers the line all sides are nearer.\n"
+    "#define TR_LINE_VISIBLE 0\n"
+    "#define TR_LINE_HIDDEN 1 // what the others leave out\n"
+    "#define TR_LINE_OUTER 2  // only where no surface is: the outer half of wide outlines, Gooch 1999, section 5.1.3\n"
+    "\n"
+    "#ifdef TR_REVERSED_Z\n"
+    "#define TR_BEHIND(a, b) ((a) < (b))\n"
+    "#else\n"
+    "#define TR_BEHIND(a, b) ((a) > (b))\n"
+    "#endif\n"
     "#if TR_ON_TARGET\n"
     "#define TR_ORIGIN ivec2(tr_viewport.xy)\n"
+    "#define TR_TEXELS TR_SUPERSAMPLE // of our textures, along each side of a pixel that is drawn\n"
     "#else\n"
     "#define TR_ORIGIN ivec2(0)\n"
+    "#define TR_TEXELS 1\n"
     "#endif\n"
+    "#if TR_HAS_SCENE\n"
     "uniform highp sampler2D tr_scene_depth;\n"
+    "#endif\n"
+    "#if TR_HAS_FRONT\n"
+    "uniform highp sampler2DArray tr_front_depth;\n"
+    "#endif\n"
     "in highp vec4 tr_v_line;\n"
     "layout(location = 0) out highp vec4 tr_color;\n"
     "\n"
+    "// The nearest of what is seen at a texel.\n"
+    "highp float tr_depth_at(ivec2 texel)\n"
+    "{\n"
+    "    highp float depth = TR_CLEAR_DEPTH;\n"
+    "#if TR_HAS_SCENE\n"
+    "    texel = clamp(texel, ivec2(0), textureSize(tr_scene_depth, 0) - 1);\n"
+    "    depth = texelFetch(tr_scene_depth, texel, 0).r;\n"
+    "#endif\n"
+    "#if TR_HAS_FRONT\n"
+    "    texel = clamp(texel, ivec2(0), textureSize(tr_front_depth, 0).xy - 1);\n"
+    "    highp float front = texelFetch(tr_front_depth, ivec3(texel, 0), 0).r;\n"
+    "    depth = TR_BEHIND(depth, front) ? front : depth;\n"
+    "#endif\n"
+    "    return depth;\n"
+    "}\n"
+    "\n"
+    "highp vec3 tr_light_of(highp vec3 color)\n"
+    "{\n"
+    "#if TR_SRGB && TR_ON_TARGET\n"
+    "    return mix(color * (1.0 / 12.92), pow((color + 0.055) * (1.0 / 1.055), vec3(2.4)), step(0.04045, color));\n"
+    "#else\n"
+    "    return color;\n"
+    "#endif\n"
+    "}\n"
+    "\n"
     "void main()\n"
     "{\n"
-    "    ivec2 last = textureSize(tr_scene_depth, 0) - 1;\n"
-    "    ivec2 center = ivec2(floor(tr_v_line.xy));\n"
+    "    ivec2 center = ivec2(floor(tr_v_line.xy * float(TR_SUPERSAMPLE)));\n"
     "    highp float tolerance = tr_v_line.w * tr_weights.z;\n"
     "#ifdef TR_REVERSED_Z\n"
+    "    highp float nearer = tr_v_line.z + tolerance;\n"
     "    highp float farthest = 1.0;\n"
     "#else\n"
+    "    highp float nearer = tr_v_line.z - tolerance;\n"
     "    highp float farthest = 0.0;\n"
     "#endif\n"
     "    for (int y = -1; y <= 1; ++y) {\n"
     "        for (int x = -1; x <= 1; ++x) {\n"
-    "            highp float depth = texelFetch(tr_scene_depth, clamp(center + ivec2(x, y), ivec2(0), last), 0).r;\n"
-    "#ifdef TR_REVERSED_Z\n"
-    "            farthest = min(farthest, depth);\n"
-    "#else\n"
-    "            farthest = max(farthest, depth);\n"
-    "#endif\n"
+    "            highp float depth = tr_depth_at(center + ivec2(x, y) * TR_SUPERSAMPLE);\n"
+    "            farthest = TR_BEHIND(depth, farthest) ? depth : farthest;\n"
     "        }\n"
     "    }\n"
-    "#ifdef TR_REVERSED_Z\n"
-    "    if (tr_v_line.z + tolerance < farthest)\n"
+    "#if TR_LINE == TR_LINE_HIDDEN\n"
+    "    if (!TR_BEHIND(nearer, farthest))\n"
     "        discard;\n"
     "#else\n"
-    "    if (tr_v_line.z - tolerance > farthest)\n"
+    "    if (TR_BEHIND(nearer, farthest))\n"
     "        discard;\n"
     "#endif\n"
     "    // The nearer of line and surface: passes the depth test wherever the centre is visible, and hides what comes later.\n"
-    "    ivec2 pixel = ivec2(gl_FragCoord.xy) - TR_ORIGIN;\n"
-    "    highp float surface = texelFetch(tr_scene_depth, clamp(pixel, ivec2(0), last), 0).r;\n"
-    "#ifdef TR_REVERSED_Z\n"
-    "    gl_FragDepth = max(tr_v_line.z, surface);\n"
-    "#else\n"
-    "    gl_FragDepth = min(tr_v_line.z, surface);\n"
+    "    ivec2 pixel = (ivec2(gl_FragCoord.xy) - TR_ORIGIN) * TR_TEXELS;\n"
+    "    highp float surface = TR_CLEAR_DEPTH;\n"
+    "    for (int i = 0; i < TR_TEXELS * TR_TEXELS; ++i) {\n"
+    "        highp float depth = tr_depth_at(pixel + ivec2(i % TR_TEXELS, i / TR_TEXELS));\n"
+    "        surface = TR_BEHIND(surface, depth) ? depth : surface;\n"
+    "    }\n"
+    "#if TR_LINE == TR_LINE_OUTER\n"
+    "    if (surface != TR_CLEAR_DEPTH)\n"
+    "        discard;\n"
     "#endif\n"
-    "    tr_color = vec4(tr_ink[TR_INK].rgb, 1.0);\n"
+    "    gl_FragDepth = TR_BEHIND(tr_v_line.z, surface) ? surface : tr_v_line.z;\n"
+    "    tr_color = vec4(tr_light_of(tr_ink[TR_INK].rgb), 1.0);\n"
     "}\n",
     0};
 static const char *const tr_i_shader_line_vert[] = {
@@ -628,9 +835,10 @@ static const char *const tr_i_shader_line_vert[] = {
     "\n"
     "void main()\n"
     "{\n"
-    "    tr_v_line = vec4(tr_line_center, tr_line_corner.zw);\n"
+    "    // Lines are found without the host's jitter, and shifted by as much as its surfaces are.\n"
+    "    tr_v_line = vec4(tr_line_center + tr_shift.xy, tr_line_corner.zw);\n"
     "    // Depth is written by the fragment stage, so the clip convention in force does not matter here.\n"
-    "    gl_Position = vec4(2.0 * tr_line_corner.xy / tr_viewport.zw - 1.0, 0.0, 1.0);\n"
+    "    gl_Position = vec4(2.0 * (tr_line_corner.xy + tr_shift.xy) / tr_viewport.zw - 1.0, 0.0, 1.0);\n"
     "}\n",
     0};
 static const char *const tr_i_shader_surface_frag[] = {
@@ -694,25 +902,45 @@ static const char *const tr_i_shader_surface_rules_glsl[] = {
     "// Depths of transparent things are written and compared as the shader sees them (gl_FragCoord.z, stored unrounded in\n"
     "// 32-bit float depth), so that equality means \"the same fragment\" and no epsilon is needed. Opaque things write no\n"
     "// depth here: they keep the early depth test.\n"
+    "//\n"
+    "// object: the number that tr_object_code makes. Bits 0 to 23: id, 24 to 30: group, 31: explicit interiors.\n"
     "\n"
-    "#define TR_RULE_FRONT 0         // nearest front face: depth only\n"
-    "#define TR_RULE_OWNER 1         // whose it is: the lowest object id among those that tie\n"
-    "#define TR_RULE_LIMIT 2         // where opaque things stop to show: one-sided transparent objects\n"
-    "#define TR_RULE_LIMIT_SHEET 3   // the same for two-sided ones, whose both sides count as front\n"
-    "#define TR_RULE_LIMIT_BEHIND 4  // whatever faces the pass culls not, behind the front-most one\n"
-    "#define TR_RULE_OPAQUE 5        // opaque colour\n"
-    "#define TR_RULE_BLENDED 6       // the one transparent fragment of a pixel\n"
-    "#define TR_RULE_BLENDED_ALONE 7 // the same when no other transparent object can tie\n"
+    "#define TR_RULE_FRONT 0        // nearest front face: depth only\n"
+    "#define TR_RULE_FRONT_ALONE 1  // and its colour, when no other transparent object can tie\n"
+    "#define TR_RULE_PEEL 2         // the next layer behind another: depth only\n"
+    "#define TR_RULE_PEEL_ALONE 3   // and its colour\n"
+    "#define TR_RULE_PEEL_GROUP 4   // the next front face of an object that none of the layers before shows\n"
+    "#define TR_RULE_LAYER 5        // whose a layer is, the lowest id among those that tie, and its colour\n"
+    "#define TR_RULE_LAYER_MARKED 6 // and its group and method\n"
+    "#define TR_RULE_LAYER_GROUP 7  // a further layer: only of the first one's group, and near enough\n"
+    "#define TR_RULE_LIMIT 8        // where opaque things stop to show: one-sided transparent objects\n"
+    "#define TR_RULE_LIMIT_SHEET 9  // the same for two-sided ones, whose both sides count as front\n"
+    "#define TR_RULE_LIMIT_BEHIND 10 // whatever faces the pass culls not, behind a layer\n"
+    "#define TR_RULE_LIMIT_MARKED 11 // by the method of the front-most object, past its group\n"
+    "#define TR_RULE_LIMIT_MARKED_SHEET 12\n"
+    "#define TR_RULE_OPAQUE 13 // opaque colour\n"
     "\n"
     "#if TR_WANTS_COLOR // defined by the preamble; where it is 0 color is not read and a host may skip its shading\n"
     "layout(location = 0) out highp vec4 tr_color;\n"
     "#endif\n"
-    "\n"
-    "#if TR_RULE != TR_RULE_FRONT && TR_RULE != TR_RULE_OPAQUE\n"
-    "uniform highp sampler2D tr_front_depth;\n"
+    "#if TR_RULE == TR_RULE_LAYER_MARKED\n"
+    "layout(location = 1) out highp float tr_marking;\n"
     "#endif\n"
-    "#if TR_RULE == TR_RULE_LIMIT || TR_RULE == TR_RULE_LIMIT_SHEET || TR_RULE == TR_RULE_BLENDED\n"
-    "uniform highp sampler2D tr_front_owner;\n"
+    "\n"
+    "#define TR_IS_LIMIT_MARKED (TR_RULE == TR_RULE_LIMIT_MARKED || TR_RULE == TR_RULE_LIMIT_MARKED_SHEET)\n"
+    "#define TR_IS_FIRST (TR_RULE == TR_RULE_FRONT || TR_RULE == TR_RULE_FRONT_ALONE)\n"
+    "\n"
+    "#if !TR_IS_FIRST && TR_RULE != TR_RULE_OPAQUE\n"
+    "uniform highp sampler2DArray tr_front_depth; // of layers 0, 2, 4, ...; where one alone is read, those of its parity\n"
+    "#endif\n"
+    "#if TR_RULE == TR_RULE_LAYER_GROUP || TR_IS_LIMIT_MARKED\n"
+    "uniform highp sampler2DArray tr_odd_depth; // of layers 1, 3, 5, ...; in TR_RULE_LAYER_GROUP those of the layer before\n"
+    "#endif\n"
+    "#if TR_RULE == TR_RULE_LIMIT || TR_RULE == TR_RULE_LIMIT_SHEET\n"
+    "uniform highp sampler2DArray tr_front_owner;\n"
+    "#endif\n"
+    "#if TR_RULE == TR_RULE_PEEL_GROUP || TR_RULE == TR_RULE_LAYER_GROUP || TR_IS_LIMIT_MARKED\n"
+    "uniform highp sampler2D tr_front_mark;\n"
     "#endif\n"
     "\n"
     "#ifdef TR_REVERSED_Z\n"
@@ -724,8 +952,77 @@ static const char *const tr_i_shader_surface_rules_glsl[] = {
     "// Object ids travel as depths: n / 2^24 is exact in a float, and the depth test keeps the lowest.\n"
     "highp float tr_owner_code(highp uint object)\n"
     "{\n"
-    "    return float(object) * (1.0 / 16777216.0);\n"
+    "    return float(object & 0xffffffu) * (1.0 / 16777216.0);\n"
     "}\n"
+    "\n"
+    "#if TR_RULE == TR_RULE_PEEL_GROUP || TR_RULE == TR_RULE_LAYER_GROUP || TR_IS_LIMIT_MARKED\n"
+    "// Of the front-most object.\n"
+    "highp uint tr_mark(ivec2 pixel)\n"
+    "{\n"
+    "    return uint(texelFetch(tr_front_mark, pixel, 0).r * 255.0 + 0.5);\n"
+    "}\n"
+    "\n"
+    "bool tr_same_group(highp uint object, highp uint mark)\n"
+    "{\n"
+    "    return ((object >> 24) & 127u) == (mark & 127u) && (mark & 127u) != 0u;\n"
+    "}\n"
+    "#endif\n"
+    "\n"
+    "#if TR_RULE == TR_RULE_PEEL_GROUP || TR_IS_LIMIT_MARKED\n"
+    "bool tr_is_shown(highp uint object, int count, ivec2 pixel)\n"
+    "{\n"
+    "    for (int i = 0; i < count; ++i)\n"
+    "        if (texelFetch(tr_front_owner, ivec3(pixel, i), 0).r == tr_owner_code(object))\n"
+    "            return true;\n"
+    "    return false;\n"
+    "}\n"
+    "#endif\n"
+    "\n"
+    "#if TR_IS_LIMIT_MARKED\n"
+    "// Whether a fragment ends what is seen through the last shown layer, by the method of the front-most object. Explicit\n",
+    "#line 86\n"
+    "// interiors end at the next face; implicit ones at a back face, or the face of an object that is not shown.\n"
+    "bool tr_limits(highp float depth, bool faces_eye, highp uint object, ivec2 pixel)\n"
+    "{\n"
+    "    highp uint mark = tr_mark(pixel);\n"
+    "    int count = tr_chain(pixel, tr_step.x + 1), last = count - 1;\n"
+    "    highp float behind = (last & 1) == 0 ? texelFetch(tr_front_depth, ivec3(pixel, last >> 1), 0).r\n"
+    "                                         : texelFetch(tr_odd_depth, ivec3(pixel, last >> 1), 0).r;\n"
+    "    if (mark >= 128u)\n"
+    "        return faces_eye && TR_BEHIND(depth, behind);\n"
+    "    if (!faces_eye || tr_same_group(object, mark))\n"
+    "        return TR_BEHIND(depth, behind) && !(faces_eye && tr_is_shown(object, count, pixel));\n"
+    "    return !TR_BEHIND(behind, depth) && !tr_is_shown(object, count, pixel);\n"
+    "}\n"
+    "#endif\n"
+    "\n"
+    "#if TR_RULE == TR_RULE_PEEL_GROUP\n"
+    "// Whether a face may be the next layer: it joins the chain, or ends it. With implicit interiors further faces of objects\n"
+    "// that are shown do neither, and faces of other groups end it where they coincide with the layer before, too.\n"
+    "bool tr_may_follow(highp float depth, highp float before, highp uint object, ivec2 pixel)\n"
+    "{\n"
+    "    highp uint mark = tr_mark(pixel);\n"
+    "    int count = tr_step.x + 1;\n"
+    "    if ((mark & 127u) == 0u || tr_chain(pixel, count) < count)\n"
+    "        return false;\n"
+    "    if (mark >= 128u)\n"
+    "        return TR_BEHIND(depth, before);\n"
+    "    return !tr_is_shown(object, count, pixel) &&\n"
+    "           (tr_same_group(object, mark) ? TR_BEHIND(depth, before) : !TR_BEHIND(before, depth));\n"
+    "}\n"
+    "#endif\n"
+    "\n"
+    "#if TR_RULE == TR_RULE_LAYER_GROUP\n"
+    "// Whether a face joins the chain: of the first layer's group, and near enough to the layer before (tr_blend.a; negative:\n"
+    "// however far).\n"
+    "bool tr_joins(highp float depth, highp uint object, ivec2 pixel)\n"
+    "{\n"
+    "    highp float before = texelFetch(tr_odd_depth, ivec3(pixel, (tr_step.x - 1) >> 1), 0).r;\n"
+    "    highp float gap = tr_distance_of(depth) - tr_distance_of(before);\n"
+    "    return tr_same_group(object, tr_mark(pixel)) && TR_BEHIND(depth, before) &&\n"
+    "           (tr_blend.a < 0.0 || gap < tr_blend.a);\n"
+    "}\n"
+    "#endif\n"
     "\n"
     "void tr_surface(highp vec4 color, highp uint object)\n"
     "{\n"
@@ -733,40 +1030,52 @@ static const char *const tr_i_shader_surface_rules_glsl[] = {
     "    tr_color = vec4(color.rgb, 1.0); // alpha marks \"an opaque thing is here\"\n"
     "#else\n"
     "    highp float depth = gl_FragCoord.z;\n"
-    "#if TR_RULE != TR_RULE_FRONT\n"
+    "#if !TR_IS_FIRST\n"
     "    ivec2 pixel = ivec2(gl_FragCoord.xy);\n"
-    "    highp float front = texelFetch(tr_front_depth, pixel, 0).r;\n"
+    "#if !TR_IS_LIMIT_MARKED\n"
+    "    highp float front = texelFetch(tr_front_depth, ivec3(pixel, tr_step.x >> 1), 0).r;\n"
+    "#endif\n"
     "#endif\n"
     "\n"
-    "#if TR_RULE == TR_RULE_OWNER\n"
+    "#if TR_RULE == TR_RULE_PEEL || TR_RULE == TR_RULE_PEEL_ALONE || TR_RULE == TR_RULE_LIMIT_BEHIND\n"
+    "    if (!TR_BEHIND(depth, front))\n"
+    "        discard;\n"
+    "#elif TR_RULE == TR_RULE_PEEL_GROUP\n"
+    "    if (!tr_may_follow(depth, front, object, pixel))\n"
+    "        discard;\n"
+    "#elif TR_RULE == TR_RULE_LAYER || TR_RULE == TR_RULE_LAYER_MARKED\n"
     "    if (depth != front)\n"
     "        discard;\n"
-    "    gl_FragDepth = tr_owner_code(object);\n"
-    "#else\n"
-    "\n"
-    "#if TR_RULE == TR_RULE_LIMIT || TR_RULE == TR_RULE_LIMIT_SHEET || TR_RULE == TR_RULE_BLENDED\n"
-    "    bool owner = texelFetch(tr_front_owner, pixel, 0).r == tr_owner_code(object);\n"
-    "#endif\n"
-    "\n"
+    "#elif TR_RULE == TR_RULE_LAYER_GROUP\n"
+    "    if (depth != front || !tr_joins(depth, object, pixel))\n"
+    "        discard;\n"
+    "#elif TR_RULE == TR_RULE_LIMIT || TR_RULE == TR_RULE_LIMIT_SHEET\n"
+    "    bool owner = texelFetch(tr_front_owner, ivec3(pixel, 0), 0).r == tr_owner_code(object);\n"
     "#if TR_RULE == TR_RULE_LIMIT\n"
     "    // A back face limits only what has a front face before it; a front face only if it is another object's.\n"
     "    if (gl_FrontFacing ? owner || TR_BEHIND(front, depth) : !TR_BEHIND(depth, front))\n"
     "        discard;\n"
-    "#elif TR_RULE == TR_RULE_LIMIT_SHEET\n"
+    "#else\n"
     "    if (owner || TR_BEHIND(front, depth))\n"
     "        discard;\n"
-    "#elif TR_RULE == TR_RULE_LIMIT_BEHIND\n"
-    "    if (!TR_BEHIND(depth, front))\n"
+    "#endif\n"
+    "#elif TR_RULE == TR_RULE_LIMIT_MARKED\n"
+    "    if (!tr_limits(depth, gl_FrontFacing, object, pixel))\n"
     "        discard;\n"
-    "#elif TR_RULE == TR_RULE_BLENDED\n"
-    "    if (depth != front || !owner)\n"
+    "#elif TR_RULE == TR_RULE_LIMIT_MARKED_SHEET\n"
+    "    if (!tr_limits(depth, true, object, pixel))\n"
     "        discard;\n"
-    "    tr_color = color;\n"
-    "#elif TR_RULE == TR_RULE_BLENDED_ALONE\n"
-    "    if (depth != front)\n"
-    "        discard;\n"
+    "#endif\n"
+    "\n"
+    "#if TR_RULE == TR_RULE_LAYER_MARKED\n"
+    "    tr_marking = float(object >> 24) * (1.0 / 255.0);\n"
+    "#endif\n"
+    "#if TR_WANTS_COLOR\n"
     "    tr_color = color;\n"
     "#endif\n"
+    "#if TR_RULE == TR_RULE_LAYER || TR_RULE == TR_RULE_LAYER_MARKED || TR_RULE == TR_RULE_LAYER_GROUP\n"
+    "    gl_FragDepth = tr_owner_code(object);\n"
+    "#else\n"
     "    gl_FragDepth = depth;\n"
     "#endif\n"
     "#endif\n"
@@ -828,6 +1137,7 @@ static const char *const tr_i_shader_surface_vertex_glsl[] = {
 #define TR_I_GL_FRONT 0x0404u
 #define TR_I_GL_FRONT_AND_BACK 0x0408u
 #define TR_I_GL_FRONT_FACE 0x0B46u
+#define TR_I_GL_FRAMEBUFFER_SRGB 0x8DB9u
 #define TR_I_GL_FUNC_ADD 0x8006u
 #define TR_I_GL_GEQUAL 0x0206u
 #define TR_I_GL_GREATER 0x0204u
@@ -852,6 +1162,8 @@ static const char *const tr_i_shader_surface_vertex_glsl[] = {
 #define TR_I_GL_POLYGON_OFFSET_LINE 0x2A02u
 #define TR_I_GL_POLYGON_OFFSET_POINT 0x2A01u
 #define TR_I_GL_RASTERIZER_DISCARD 0x8C89u
+#define TR_I_GL_R8 0x8229u
+#define TR_I_GL_RED 0x1903u
 #define TR_I_GL_READ_FRAMEBUFFER 0x8CA8u
 #define TR_I_GL_READ_FRAMEBUFFER_BINDING 0x8CAAu
 #define TR_I_GL_RGBA 0x1908u
@@ -866,7 +1178,9 @@ static const char *const tr_i_shader_surface_vertex_glsl[] = {
 #define TR_I_GL_STENCIL_TEST 0x0B90u
 #define TR_I_GL_TEXTURE0 0x84C0u
 #define TR_I_GL_TEXTURE_2D 0x0DE1u
+#define TR_I_GL_TEXTURE_2D_ARRAY 0x8C1Au
 #define TR_I_GL_TEXTURE_BINDING_2D 0x8069u
+#define TR_I_GL_TEXTURE_BINDING_2D_ARRAY 0x8C1Du
 #define TR_I_GL_TEXTURE_MAG_FILTER 0x2800u
 #define TR_I_GL_TEXTURE_MIN_FILTER 0x2801u
 #define TR_I_GL_TEXTURE_WRAP_S 0x2802u
@@ -923,6 +1237,7 @@ typedef const char *const *tr_i_strings;
     X(void, DrawBuffers, (int32_t, const tr_i_u *))                                                                    \
     X(void, Enable, (tr_i_u))                                                                                          \
     X(void, FramebufferTexture2D, (tr_i_u, tr_i_u, tr_i_u, tr_i_u, int32_t))                                           \
+    X(void, FramebufferTextureLayer, (tr_i_u, tr_i_u, tr_i_u, int32_t, int32_t))                                       \
     X(void, FrontFace, (tr_i_u))                                                                                       \
     X(void, GenBuffers, (int32_t, tr_i_u *))                                                                           \
     X(void, GenFramebuffers, (int32_t, tr_i_u *))                                                                      \
@@ -946,6 +1261,7 @@ typedef const char *const *tr_i_strings;
     X(void, ReadBuffer, (tr_i_u))                                                                                      \
     X(void, ShaderSource, (tr_i_u, int32_t, const char *const *, const int32_t *))                                     \
     X(void, TexImage2D, (tr_i_u, int32_t, int32_t, int32_t, int32_t, int32_t, tr_i_u, tr_i_u, const void *))           \
+    X(void, TexImage3D, (tr_i_u, int32_t, int32_t, int32_t, int32_t, int32_t, int32_t, tr_i_u, tr_i_u, const void *))  \
     X(void, TexParameteri, (tr_i_u, tr_i_u, int32_t))                                                                  \
     X(void, Uniform1i, (int32_t, int32_t))                                                                             \
     X(void, Uniform1ui, (int32_t, tr_i_u))                                                                             \
@@ -998,58 +1314,77 @@ typedef struct tr_i_gl {
 
 /* ---- the context ------------------------------------------------------------------------------------------------ */
 
-/* Textures by what they hold, and by the unit (plus first_texture_unit) that they are read from. The depth that opaque
-   things and lines are drawn into and the depth that lines and the composition read are two names for one or two
-   textures: see tr_i_scene_depth. */
+/* Textures by what they hold, and by the unit (plus first_texture_unit) that they are read from. Layers alternate between
+   two array textures, so that none is read while another one of it is drawn. The depth that opaque things and lines are
+   drawn into and the depth that lines and the composition read are two names for one or two textures: DEPTH_COPY is read
+   from the unit of SCENE_DEPTH. */
 enum {
-    TR_I_FRONT_DEPTH,  /* of the nearest transparent front face */
-    TR_I_FRONT_OWNER,  /* its object's id, as a depth */
-    TR_I_SCENE_DEPTH,  /* limit, then opaque things, then the front-most transparent surface */
+    TR_I_FRONT_DEPTH,  /* of transparent layers 0, 2, 4, ... */
+    TR_I_ODD_DEPTH,    /* of layers 1, 3, 5, ... */
+    TR_I_FRONT_OWNER,  /* their objects' ids, as depths */
+    TR_I_SCENE_DEPTH,  /* limit, then opaque things */
     TR_I_OPAQUE_COLOR, /* alpha 1 where an opaque thing is */
-    TR_I_LAYER_COLOR,  /* the front-most transparent surface */
-    TR_I_DEPTH_COPY,   /* of SCENE_DEPTH, read by opaque lines in its place */
+    TR_I_LAYER_COLOR,  /* of all layers */
+    TR_I_MARK,         /* group, and method in the highest bit, of the front-most transparent object */
+    TR_I_DEPTH_COPY,   /* of SCENE_DEPTH without lines */
     TR_I_TEXTURE_COUNT
 };
-#define TR_I_UNIT_COUNT 5
+
+static const tr_i_u tr_i_targets[TR_TEXTURE_UNITS] = {
+    TR_I_GL_TEXTURE_2D_ARRAY, TR_I_GL_TEXTURE_2D_ARRAY, TR_I_GL_TEXTURE_2D_ARRAY, TR_I_GL_TEXTURE_2D,
+    TR_I_GL_TEXTURE_2D,       TR_I_GL_TEXTURE_2D_ARRAY, TR_I_GL_TEXTURE_2D};
 
 /* Framebuffers, by the textures attached. */
-enum { TR_I_FBO_FRONT, TR_I_FBO_OWNER, TR_I_FBO_LIMIT, TR_I_FBO_OPAQUE, TR_I_FBO_LAYER, TR_I_FBO_COPY, TR_I_FBO_COUNT };
-
-/* Built-in programs. */
 enum {
-    TR_I_PROGRAM_SURFACE, /* one a rule */
-    TR_I_PROGRAM_COPY_DEPTH = TR_I_PROGRAM_SURFACE + TR_RULE_COUNT,
-    TR_I_PROGRAM_COMPOSE,                         /* opaque things only; layer by blending; both by blending */
-    TR_I_PROGRAM_LINE = TR_I_PROGRAM_COMPOSE + 7, /* creases, outlines; the same on the target */
-    TR_I_PROGRAM_COUNT = TR_I_PROGRAM_LINE + 4
+    TR_I_FBO_DEPTH,                                  /* depth of a layer */
+    TR_I_FBO_ALONE = TR_I_FBO_DEPTH + TR_MAX_LAYERS, /* its depth and colour */
+    TR_I_FBO_LAYER = TR_I_FBO_ALONE + TR_MAX_LAYERS, /* its colour; owner in the first slice */
+    TR_I_FBO_GROUP =
+        TR_I_FBO_LAYER + TR_MAX_LAYERS, /* its colour; owner in a slice of its own; of the first the mark */
+    TR_I_FBO_LIMIT = TR_I_FBO_GROUP + TR_MAX_LAYERS,
+    TR_I_FBO_OPAQUE,
+    TR_I_FBO_COPY,
+    TR_I_FBO_COUNT
+};
+
+/* Built-in programs: one a rule, one that copies depth, and variants of the composition and of lines, which are found by
+   a key; see tr_i_key_of. More of these than a plan can need. */
+#define TR_I_VARIANT_COUNT 24
+enum {
+    TR_I_PROGRAM_COPY_DEPTH = TR_RULE_COUNT,
+    TR_I_PROGRAM_VARIANT,
+    TR_I_PROGRAM_COUNT = TR_I_PROGRAM_VARIANT + TR_I_VARIANT_COUNT
 };
 
 typedef struct tr_i_program {
-    tr_i_u name; /* 0: not yet made */
+    tr_i_u name;  /* 0: not yet made */
+    uint32_t key; /* of a variant */
     int32_t model_view_projection, normal_matrix, color, falloff, object;
 } tr_i_program;
 
 /* The uniform block tr_frame of shaders/frame_block.glsl, std140. */
 typedef struct tr_i_block {
-    float light[4], cool[4], warm[4], weights[4], viewport[4], ink[2][4];
+    float light[4], cool[4], warm[4], weights[4], viewport[4], ink[2][4], eye[4], blend[4], enter[4], shift[4];
+    int32_t step[4];
 } tr_i_block;
+#define TR_I_STRIDE 256 /* of the copies of it in the buffer, one a layer; GL asks for no coarser alignment */
 
 #define TR_I_MAX_DRAW_BUFFERS 8
 #define TR_I_MAX_CLIP_DISTANCES 8
 #define TR_I_MAX_VIEWPORTS 16
-#define TR_I_CAP_COUNT 14
+#define TR_I_CAP_COUNT 15
 
 /* State that a frame changes: exactly what TR_STATE_RESTORE puts back. */
 typedef struct tr_i_snapshot {
     int32_t program, vertex_array, draw_framebuffer, read_framebuffer;
     unsigned char caps[TR_I_CAP_COUNT], clip_distances[TR_I_MAX_CLIP_DISTANCES];
     unsigned char scissors[TR_I_MAX_VIEWPORTS];
-    unsigned char depth_mask, color_masks[TR_I_MAX_DRAW_BUFFERS][4], blend;
+    unsigned char depth_mask, color_masks[TR_I_MAX_DRAW_BUFFERS][4], blends[2];
     int32_t depth_func, cull_mode, front_face, polygon_mode[2];
     float viewport[4];
     double depth_range[2];
     int32_t blend_func[4], blend_equation[2];
-    int32_t active_texture, textures[TR_I_UNIT_COUNT], samplers[TR_I_UNIT_COUNT];
+    int32_t active_texture, textures[TR_TEXTURE_UNITS], samplers[TR_TEXTURE_UNITS];
     int32_t uniform_buffer, indexed_buffer, copy_buffer, unpack_buffer;
     int64_t indexed_start, indexed_size;
 } tr_i_snapshot;
@@ -1064,8 +1399,10 @@ struct tr_context {
     const char *strings[TR_STAGE_COUNT][TR_RULE_COUNT][TR_I_MAX_STRINGS + 1];
     int string_count[TR_STAGE_COUNT][TR_RULE_COUNT];
     tr_i_program programs[TR_I_PROGRAM_COUNT];
+    int next_variant; /* to be replaced when there is no room */
     tr_i_u textures[TR_I_TEXTURE_COUNT], fbos[TR_I_FBO_COUNT];
-    int width, height; /* of the textures */
+    int slices[TR_I_TEXTURE_COUNT]; /* of array textures; else 1 */
+    int width, height;              /* of the textures */
     tr_i_u vertex_array, uniform_buffer;
     tr_i_block block; /* as uploaded */
     int block_uploaded;
@@ -1145,33 +1482,68 @@ TR_I_API const char *tr_result_string(tr_result result) {
 }
 
 TR_I_API const char *tr_pass_kind_name(tr_pass_kind kind) {
-    static const char *const names[] = {"front",        "owner",   "limit",   "opaque",           "copy depth",
-                                        "opaque lines", "blended", "compose", "transparent lines"};
+    static const char *const names[] = {"front",        "peel",       "layer",
+                                        "limit",        "opaque",     "copy depth",
+                                        "opaque lines", "compose",    "transparent lines",
+                                        "hidden lines", "outer lines"};
     return (unsigned)kind < (unsigned)TR_PASS_KIND_COUNT ? names[kind] : "unknown pass";
 }
 
+#define TR_I_MAX_ID 0xfffffeu
+#define TR_I_FLAGS (63u | TR_GROUP(TR_MAX_GROUP))
+
+/* What one object adds; members counts by group. */
+static void tr_i_count(tr_scene *counts, const tr_object *object, uint32_t *members) {
+    uint32_t flags = object->flags, group = flags >> 8 & TR_MAX_GROUP, size;
+    int transparent = (flags & TR_TRANSPARENT) != 0;
+    if ((flags & ~TR_I_FLAGS) || (transparent && object->id > TR_I_MAX_ID) ||
+        (flags & (TR_IMPLICIT | TR_EXPLICIT)) == (TR_IMPLICIT | TR_EXPLICIT))
+        ++counts->invalid;
+    if (!transparent) {
+        ++*(flags & TR_TWO_SIDED ? &counts->opaque_two_sided : &counts->opaque);
+        return;
+    }
+    ++*(flags & TR_TWO_SIDED ? &counts->transparent_two_sided : &counts->transparent);
+    if (flags & TR_IMPLICIT)
+        ++counts->implicit_asked;
+    else if (flags & TR_EXPLICIT)
+        ++counts->explicit_asked;
+    else if ((flags & (TR_CLOSED | TR_HOLDING)) == (TR_CLOSED | TR_HOLDING))
+        ++counts->holding;
+    size = group ? ++members[group] : 0;
+    if (counts->group_size < size)
+        counts->group_size = size;
+}
+
 TR_I_API tr_scene tr_scene_count(const void *objects, size_t count, size_t stride) {
-    tr_scene counts = {0, 0, 0, 0};
+    tr_scene counts;
+    uint32_t members[TR_MAX_GROUP + 1];
     size_t i;
+    memset(&counts, 0, sizeof counts);
+    memset(members, 0, sizeof members);
     for (i = 0; objects && i < count; ++i) {
         tr_object object;
         memcpy(&object, (const char *)objects + i * stride, sizeof object);
-        switch (object.flags & (TR_TRANSPARENT | TR_TWO_SIDED)) {
-        case TR_OPAQUE:
-            ++counts.opaque;
-            break;
-        case TR_TWO_SIDED:
-            ++counts.opaque_two_sided;
-            break;
-        case TR_TRANSPARENT:
-            ++counts.transparent;
-            break;
-        default:
-            ++counts.transparent_two_sided;
-            break;
-        }
+        tr_i_count(&counts, &object, members);
     }
     return counts;
+}
+
+/* Whether the interiors of a transparent object are explicit. */
+static int tr_i_is_explicit(uint32_t flags, tr_interior interior) {
+    if (flags & (TR_IMPLICIT | TR_EXPLICIT))
+        return (flags & TR_EXPLICIT) != 0;
+    if (interior == TR_INTERIOR_AUTO)
+        return (flags & (TR_CLOSED | TR_HOLDING)) != (TR_CLOSED | TR_HOLDING);
+    return interior == TR_INTERIOR_EXPLICIT;
+}
+
+TR_I_API uint32_t tr_object_code(const tr_object *object, const tr_wishes *wishes) {
+    uint32_t code;
+    if (!object || !wishes)
+        return 0;
+    code = (object->id & 0xffffffu) | (object->flags >> 8 & TR_MAX_GROUP) << 24;
+    return code | (tr_i_is_explicit(object->flags, wishes->interior) ? 0x80000000u : 0u);
 }
 
 #define TR_I_CLASS(flags) (1u << (flags))
@@ -1188,18 +1560,20 @@ static tr_plan_pass *tr_i_add_pass(tr_plan *plan, tr_pass_kind kind, const char 
 }
 
 /* One pass for closed objects, back faces culled, and one for sheets, if there are any. */
-static void tr_i_add_surfaces(tr_plan *plan, tr_pass_kind kind, tr_rule rule, uint32_t closed, uint32_t sheets,
-                              uint32_t flags, const char *why) {
+static void tr_i_add_surfaces(tr_plan *plan, tr_pass_kind kind, tr_rule rule, int layer, uint32_t closed,
+                              uint32_t sheets, uint32_t flags, const char *why) {
     tr_plan_pass *pass;
     if (closed) {
         pass = tr_i_add_pass(plan, kind, why);
         pass->rule = rule;
+        pass->layer = layer;
         pass->classes = TR_I_CLASS(flags);
         pass->cull = 1;
     }
     if (sheets) {
         pass = tr_i_add_pass(plan, kind, why);
         pass->rule = rule;
+        pass->layer = layer;
         pass->classes = TR_I_CLASS(flags | TR_TWO_SIDED);
     }
 }
@@ -1217,107 +1591,245 @@ static void tr_i_add_lines(tr_plan *plan, tr_pass_kind kind, uint32_t lines, uin
     }
 }
 
-/* Where opaque things stop to show: SCENE_DEPTH before anything opaque is drawn into it. */
-static void tr_i_add_limit(tr_plan *plan, const tr_scene *counts, const tr_wishes *wishes, int alone) {
+/* Lines drawn after everything else. Those of opaque objects are hidden by opaque things and the limit, not by the
+   transparent surface that they are seen through; hence two passes. */
+static void tr_i_add_late_lines(tr_plan *plan, uint32_t lines, uint32_t opaque, uint32_t transparent) {
     tr_plan_pass *pass;
-    int published = wishes->interior == TR_INTERIOR_IMPLICIT_PUBLISHED;
-    if (wishes->interior == TR_INTERIOR_EXPLICIT) {
-        tr_i_add_surfaces(plan, TR_PASS_LIMIT, TR_RULE_LIMIT_BEHIND, counts->transparent, counts->transparent_two_sided,
-                          TR_TRANSPARENT, "explicit interiors: the second-closest front face");
+    if ((lines & TR_LINES_HIDDEN) && opaque) {
+        pass = tr_i_add_pass(plan, TR_PASS_HIDDEN_LINES, "opaque objects' lines behind other things and the limit");
+        pass->lines = TR_LINES_HIDDEN;
+        pass->classes = TR_I_ALL_OPAQUE;
+    }
+    if ((lines & TR_LINES_HIDDEN) && transparent) {
+        pass = tr_i_add_pass(plan, TR_PASS_HIDDEN_LINES, "transparent objects' lines behind other things");
+        pass->lines = TR_LINES_HIDDEN;
+        pass->classes = TR_I_ALL_TRANSPARENT;
+    }
+    if (lines & TR_LINES_OUTER) {
+        pass = tr_i_add_pass(plan, TR_PASS_OUTER_LINES, "wide outlines where no surface is");
+        pass->lines = TR_LINES_OUTER;
+        pass->classes = (opaque ? TR_I_ALL_OPAQUE : 0u) | (transparent ? TR_I_ALL_TRANSPARENT : 0u);
+    }
+}
+
+/* The transparent layers that may be seen: depth, then, where faces may tie, whose it is. */
+static void tr_i_add_layers(tr_plan *plan, const tr_scene *counts, int alone) {
+    int marked = plan->grouped || plan->mixed, layer;
+    for (layer = 0; layer < plan->layers; ++layer) {
+        tr_rule next = alone ? TR_RULE_PEEL_ALONE : plan->grouped ? TR_RULE_PEEL_GROUP : TR_RULE_PEEL;
+        tr_rule depth = layer ? next : alone ? TR_RULE_FRONT_ALONE : TR_RULE_FRONT;
+        tr_rule owner = layer && plan->grouped ? TR_RULE_LAYER_GROUP : marked ? TR_RULE_LAYER_MARKED : TR_RULE_LAYER;
+        tr_i_add_surfaces(plan, layer ? TR_PASS_PEEL : TR_PASS_FRONT, depth, layer, counts->transparent,
+                          counts->transparent_two_sided, TR_TRANSPARENT,
+                          layer   ? plan->grouped ? "the next face of another object" : "the next layer behind"
+                          : alone ? "the front-most transparent face, depth and colour"
+                                  : "the front-most transparent face");
+        if (!alone)
+            tr_i_add_surfaces(plan, TR_PASS_LAYER, owner, layer, counts->transparent, counts->transparent_two_sided,
+                              TR_TRANSPARENT,
+                              layer && plan->grouped ? "whose it is, and its colour if it is of the group"
+                                                     : "whose it is: faces may tie; and its colour");
+    }
+}
+
+/* Where opaque things stop to show: SCENE_DEPTH before anything opaque is drawn into it. */
+static void tr_i_add_limit(tr_plan *plan, const tr_scene *counts, int alone) {
+    tr_plan_pass *pass;
+    int published = plan->interior == TR_INTERIOR_IMPLICIT_PUBLISHED, marked = plan->grouped || plan->mixed;
+    if (!marked && (plan->interior == TR_INTERIOR_EXPLICIT || plan->interior == TR_INTERIOR_LAYERS)) {
+        tr_i_add_surfaces(plan, TR_PASS_LIMIT, TR_RULE_LIMIT_BEHIND, 0, counts->transparent,
+                          counts->transparent_two_sided, TR_TRANSPARENT,
+                          plan->layers > 1 ? "the next front face behind the layers"
+                                           : "explicit interiors: the second-closest front face");
         return;
     }
     if (counts->transparent) {
         pass = tr_i_add_pass(plan, TR_PASS_LIMIT,
                              published ? "published: the nearest back face of all"
+                             : marked  ? "what ends the interior of the front-most object, by its method and group"
                              : alone   ? "back faces behind the front-most face"
                                        : "back faces, and fronts of other objects, behind the front-most face");
-        pass->rule = published ? TR_RULE_FRONT : alone ? TR_RULE_LIMIT_BEHIND : TR_RULE_LIMIT;
+        pass->rule = published ? TR_RULE_FRONT
+                     : marked  ? TR_RULE_LIMIT_MARKED
+                     : alone   ? TR_RULE_LIMIT_BEHIND
+                               : TR_RULE_LIMIT;
         pass->classes = TR_I_CLASS(TR_TRANSPARENT);
         pass->cull = published || alone ? 2 : 0;
     }
     if (counts->transparent_two_sided && !published && !alone) {
         pass = tr_i_add_pass(plan, TR_PASS_LIMIT, "sheets of other objects behind the front-most face");
-        pass->rule = TR_RULE_LIMIT_SHEET;
+        pass->rule = marked ? TR_RULE_LIMIT_MARKED_SHEET : TR_RULE_LIMIT_SHEET;
         pass->classes = TR_I_CLASS(TR_TRANSPARENT | TR_TWO_SIDED);
     }
 }
 
-/* Which textures each kind of pass draws into; who clears them; what they weigh. */
+static uint32_t tr_i_texel_bytes(int texture) {
+    return texture == TR_I_MARK ? 1 : 4;
+}
+
+/* Array slices of a texture that a plan needs; 1 for those that are no arrays. */
+static int tr_i_slices_of(const tr_plan *plan, int texture) {
+    switch (texture) {
+    case TR_I_FRONT_DEPTH:
+        return (plan->layers + 1) / 2;
+    case TR_I_ODD_DEPTH:
+        return plan->layers / 2;
+    case TR_I_FRONT_OWNER:
+        return plan->grouped ? plan->layers : 1;
+    case TR_I_LAYER_COLOR:
+        return plan->layers;
+    default:
+        return 1;
+    }
+}
+
+/* The textures that a pass draws into. */
+static uint32_t tr_i_draws(const tr_plan_pass *pass) {
+    uint32_t depth = 1u << (pass->layer & 1 ? TR_I_ODD_DEPTH : TR_I_FRONT_DEPTH);
+    switch (pass->kind) {
+    case TR_PASS_FRONT:
+    case TR_PASS_PEEL:
+        return depth |
+               (pass->rule == TR_RULE_FRONT_ALONE || pass->rule == TR_RULE_PEEL_ALONE ? 1u << TR_I_LAYER_COLOR : 0u);
+    case TR_PASS_LAYER:
+        return (1u << TR_I_FRONT_OWNER) | (1u << TR_I_LAYER_COLOR) |
+               (pass->rule == TR_RULE_LAYER_MARKED ? 1u << TR_I_MARK : 0u);
+    case TR_PASS_LIMIT:
+        return 1u << TR_I_SCENE_DEPTH;
+    case TR_PASS_OPAQUE:
+    case TR_PASS_OPAQUE_LINES:
+        return (1u << TR_I_SCENE_DEPTH) | (1u << TR_I_OPAQUE_COLOR);
+    case TR_PASS_COPY_DEPTH:
+        return 1u << TR_I_DEPTH_COPY;
+    default:
+        return 0;
+    }
+}
+
+/* Who clears what; which textures there are, and what they weigh. */
 static void tr_i_plan_textures(tr_plan *plan) {
-    static const uint32_t by_kind[TR_PASS_KIND_COUNT] = {1u << TR_I_FRONT_DEPTH,
-                                                         1u << TR_I_FRONT_OWNER,
-                                                         1u << TR_I_SCENE_DEPTH,
-                                                         (1u << TR_I_SCENE_DEPTH) | (1u << TR_I_OPAQUE_COLOR),
-                                                         1u << TR_I_DEPTH_COPY,
-                                                         (1u << TR_I_SCENE_DEPTH) | (1u << TR_I_OPAQUE_COLOR),
-                                                         (1u << TR_I_SCENE_DEPTH) | (1u << TR_I_LAYER_COLOR),
-                                                         0,
-                                                         0};
-    static const uint32_t depths = (1u << TR_I_FRONT_DEPTH) | (1u << TR_I_FRONT_OWNER) | (1u << TR_I_SCENE_DEPTH);
-    int i;
+    uint32_t texels = (uint32_t)(plan->supersample * plan->supersample);
+    int i, texture;
     for (i = 0; i < plan->pass_count; ++i) {
         tr_plan_pass *pass = &plan->passes[i];
-        uint32_t fresh = by_kind[pass->kind] & ~plan->textures;
-        pass->clear_depth = (fresh & depths) != 0;
-        /* The copy is written, and the layer read, in full only where something was drawn: neither needs a clear. */
+        const tr_plan_pass *last = i ? pass - 1 : pass;
+        uint32_t draws = tr_i_draws(pass), fresh = draws & ~plan->textures;
+        int again = i && last->kind == pass->kind && last->layer == pass->layer;
+        /* Layers share textures, each in a slice of its own, or one after the other in the same. */
+        if (pass->kind == TR_PASS_FRONT || pass->kind == TR_PASS_PEEL || pass->kind == TR_PASS_LAYER)
+            pass->clear_depth = !again;
+        else
+            pass->clear_depth = (fresh & (1u << TR_I_SCENE_DEPTH)) != 0;
+        /* The copy is written, and layers are read, in full only where something was drawn: neither needs a clear. */
         pass->clear_color = (fresh & (1u << TR_I_OPAQUE_COLOR)) != 0;
         plan->textures |= fresh;
-        for (; fresh; fresh &= fresh - 1)
-            pass->bytes_per_pixel += 4;
+        for (texture = 0; texture < TR_I_TEXTURE_COUNT; ++texture)
+            if ((fresh >> texture) & 1u)
+                pass->bytes_per_pixel += (uint32_t)tr_i_slices_of(plan, texture) * tr_i_texel_bytes(texture) * texels;
         plan->bytes_per_pixel += pass->bytes_per_pixel;
     }
 }
 
+/* Method and layers, from what there is and what is wished. */
+static void tr_i_plan_interiors(tr_plan *plan, const tr_scene *counts, const tr_wishes *wishes) {
+    uint64_t all = (uint64_t)counts->transparent + counts->transparent_two_sided, implicit = counts->implicit_asked;
+    uint64_t others = all - implicit - counts->explicit_asked;
+    int whole = wishes->interior == TR_INTERIOR_IMPLICIT_PUBLISHED || wishes->interior == TR_INTERIOR_LAYERS;
+    implicit += wishes->interior == TR_INTERIOR_IMPLICIT ? others
+                : wishes->interior == TR_INTERIOR_AUTO   ? counts->holding
+                                                         : 0;
+    plan->mixed = !whole && implicit > 0 && implicit < all;
+    plan->interior = whole ? wishes->interior : implicit > 0 ? TR_INTERIOR_IMPLICIT : TR_INTERIOR_EXPLICIT;
+    plan->layers = all ? 1 : 0;
+    plan->why = whole ? "asked for" : plan->mixed ? "object by object" : "the same for all objects";
+    if (wishes->interior == TR_INTERIOR_AUTO && !counts->implicit_asked && !counts->explicit_asked)
+        plan->why = plan->mixed ? "chosen: implicit for closed objects with opaque ones inside, explicit for others"
+                    : implicit  ? "chosen: all are closed, with opaque objects inside"
+                                : "chosen: none is closed with opaque objects inside";
+    if (wishes->interior == TR_INTERIOR_LAYERS) {
+        plan->layers = all ? (int)wishes->layers : 0;
+    } else if (!whole && counts->group_size > 1) {
+        uint32_t most = wishes->layers ? wishes->layers : TR_MAX_LAYERS;
+        plan->layers = (int)(counts->group_size < most ? counts->group_size : most);
+        plan->grouped = plan->layers > 1;
+    }
+}
+
+static int tr_i_wishes_are_valid(const tr_wishes *wishes) {
+    return (unsigned)wishes->interior <= TR_INTERIOR_LAYERS && (unsigned)wishes->blending <= TR_BLENDING_PUBLISHED &&
+           wishes->lines <= (TR_LINES_CREASES | TR_LINES_OUTLINES | TR_LINES_HIDDEN | TR_LINES_OUTER) &&
+           wishes->layers <= TR_MAX_LAYERS && wishes->supersample <= TR_MAX_SUPERSAMPLE &&
+           wishes->options <= (TR_WISH_BLEND_COLOR | TR_WISH_SRGB) &&
+           (wishes->interior != TR_INTERIOR_LAYERS || wishes->layers > 0);
+}
+
+static int tr_i_counts_are_valid(const tr_scene *counts) {
+    uint64_t all = (uint64_t)counts->transparent + counts->transparent_two_sided;
+    uint64_t sorted = (uint64_t)counts->implicit_asked + counts->explicit_asked + counts->holding;
+    return !counts->invalid && sorted <= all && counts->group_size <= all;
+}
+
 TR_I_API tr_result tr_plan_make(const tr_scene *counts, const tr_wishes *wishes, tr_plan *plan) {
-    uint32_t transparent, opaque;
+    uint32_t transparent, opaque, lines;
     int alone;
-    if (!counts || !wishes || !plan || (unsigned)wishes->interior > TR_INTERIOR_EXPLICIT ||
-        (unsigned)wishes->blending > TR_BLENDING_PUBLISHED || wishes->lines > (TR_LINES_CREASES | TR_LINES_OUTLINES))
+    if (!counts || !wishes || !plan || !tr_i_wishes_are_valid(wishes) || !tr_i_counts_are_valid(counts))
         return TR_INVALID_ARGUMENT;
     memset(plan, 0, sizeof *plan);
     transparent = counts->transparent || counts->transparent_two_sided;
     opaque = counts->opaque || counts->opaque_two_sided;
+    lines = wishes->lines & (TR_LINES_CREASES | TR_LINES_OUTLINES);
     /* Counts may be large enough to wrap when added; either being over one rules "alone" out. */
     alone = counts->transparent <= 1 && counts->transparent_two_sided <= 1 &&
             counts->transparent + counts->transparent_two_sided == 1;
+    plan->supersample = wishes->supersample ? (int)wishes->supersample : 1;
     if (!transparent && !opaque)
         return TR_OK;
-    if (transparent) {
-        tr_i_add_surfaces(plan, TR_PASS_FRONT, TR_RULE_FRONT, counts->transparent, counts->transparent_two_sided,
-                          TR_TRANSPARENT, "transparent objects: the front-most face alone is blended");
-        if (!alone)
-            tr_i_add_surfaces(plan, TR_PASS_OWNER, TR_RULE_OWNER, counts->transparent, counts->transparent_two_sided,
-                              TR_TRANSPARENT, "several transparent objects: faces may tie, and limit each other");
-    }
-    /* Without an opaque thing nothing can be seen through a surface but the background, whatever the limit. */
-    if (transparent && opaque)
-        tr_i_add_limit(plan, counts, wishes, alone);
-    else if (transparent && wishes->interior == TR_INTERIOR_IMPLICIT_PUBLISHED)
-        tr_i_add_limit(plan, counts, wishes, alone); /* published: back faces hide front faces too */
-    tr_i_add_surfaces(plan, TR_PASS_OPAQUE, TR_RULE_OPAQUE, counts->opaque, counts->opaque_two_sided, TR_OPAQUE,
-                      plan->pass_count > 0 && plan->passes[plan->pass_count - 1].kind == TR_PASS_LIMIT
-                          ? "opaque objects before the limit"
-                          : "opaque objects");
-    if (opaque && wishes->lines) {
+    tr_i_plan_interiors(plan, counts, wishes);
+    tr_i_add_layers(plan, counts, alone);
+    /* Without an opaque thing nothing can be seen through a surface but the background, whatever the limit; but as
+       published back faces hide front faces too. */
+    if (transparent && (opaque || plan->interior == TR_INTERIOR_IMPLICIT_PUBLISHED))
+        tr_i_add_limit(plan, counts, alone);
+    tr_i_add_surfaces(plan, TR_PASS_OPAQUE, TR_RULE_OPAQUE, 0, counts->opaque, counts->opaque_two_sided, TR_OPAQUE,
+                      transparent ? "opaque objects before the limit" : "opaque objects");
+    if (opaque && lines) {
         tr_i_add_pass(plan, TR_PASS_COPY_DEPTH, "opaque lines read the depth that they write");
-        tr_i_add_lines(plan, TR_PASS_OPAQUE_LINES, wishes->lines, TR_I_ALL_OPAQUE);
+        tr_i_add_lines(plan, TR_PASS_OPAQUE_LINES, lines, TR_I_ALL_OPAQUE);
     }
-    if (transparent)
-        tr_i_add_surfaces(plan, TR_PASS_BLENDED, alone ? TR_RULE_BLENDED_ALONE : TR_RULE_BLENDED, counts->transparent,
-                          counts->transparent_two_sided, TR_TRANSPARENT, "the front-most transparent face");
     tr_i_add_pass(plan, TR_PASS_COMPOSE,
-                  transparent ? "the transparent layer over what is behind it, into the target"
+                  transparent ? "transparent layers over what is behind them, into the target"
                               : "opaque objects into the target");
     if (transparent)
-        tr_i_add_lines(plan, TR_PASS_TRANSPARENT_LINES, wishes->lines, TR_I_ALL_TRANSPARENT);
+        tr_i_add_lines(plan, TR_PASS_TRANSPARENT_LINES, lines, TR_I_ALL_TRANSPARENT);
+    tr_i_add_late_lines(plan, wishes->lines, opaque, transparent);
     tr_i_plan_textures(plan);
     return TR_OK;
+}
+
+static void tr_i_put_plan_head(tr_i_text *text, const tr_plan *plan) {
+    static const char *const names[] = {"implicit", "implicit, as published,", "explicit", "", "layered"};
+    if (plan->layers) {
+        tr_i_put(text, plan->mixed ? "implicit and explicit" : names[plan->interior]);
+        tr_i_put(text, " interiors, ");
+        tr_i_put(text, plan->why);
+        tr_i_put(text, "; ");
+        tr_i_put_number(text, (uint64_t)plan->layers);
+        tr_i_put(text, plan->layers > 1 ? plan->grouped ? " layers for groups\n" : " layers\n" : " layer\n");
+    }
+    if (plan->supersample > 1) {
+        tr_i_put_number(text, (uint64_t)plan->supersample);
+        tr_i_put(text, " by ");
+        tr_i_put_number(text, (uint64_t)plan->supersample);
+        tr_i_put(text, " texels a pixel in textures of our own, averaged into the target\n");
+    }
 }
 
 TR_I_API size_t tr_plan_print(const tr_plan *plan, char *string, size_t capacity) {
     static const char *const classes[4] = {"opaque", "transparent", "opaque two-sided", "transparent two-sided"};
     tr_i_text text = tr_i_text_in(string, string ? capacity : 0);
     int i, c;
+    if (plan)
+        tr_i_put_plan_head(&text, plan);
     for (i = 0; plan && i < plan->pass_count; ++i) {
         const tr_plan_pass *pass = &plan->passes[i];
         const char *separator = " [";
@@ -1363,8 +1875,7 @@ TR_I_API float tr_view_alpha(float d, float d_max, float k) {
 
 /* ---- state: saved, set, restored -------------------------------------------------------------------------------- */
 
-/* Switches that every pass wants off, with the first version that has them (0: never). Depth test and cull face, which
-   passes set, come last. */
+/* Switches that every pass wants off, with the first version that has them (0: never). Those that passes set come last. */
 typedef struct tr_i_cap {
     tr_i_u name;
     int desktop, es;
@@ -1383,6 +1894,7 @@ static const tr_i_cap tr_i_caps[TR_I_CAP_COUNT] = {
     {TR_I_GL_COLOR_LOGIC_OP, 330, 0},
     {TR_I_GL_DEPTH_CLAMP, 330, 0},
     {TR_I_GL_SAMPLE_MASK, 330, 310},
+    {TR_I_GL_FRAMEBUFFER_SRGB, 330, 0}, /* see tr_i_has_cap */
     {TR_I_GL_DEPTH_TEST, 330, 300},
     {TR_I_GL_CULL_FACE, 330, 300},
 };
@@ -1390,6 +1902,9 @@ static const tr_i_cap tr_i_caps[TR_I_CAP_COUNT] = {
 
 static int tr_i_has_cap(const tr_context *tr, int index) {
     int since = tr->es ? tr_i_caps[index].es : tr_i_caps[index].desktop;
+    /* Without the wish the host's choice of encoding stays in force; our own textures do not care. */
+    if (tr_i_caps[index].name == TR_I_GL_FRAMEBUFFER_SRGB && !(tr->frame.wishes.options & TR_WISH_SRGB))
+        return 0;
     return since != 0 && tr->version >= since;
 }
 
@@ -1452,7 +1967,9 @@ static void tr_i_save_blend(const tr_context *tr, tr_i_snapshot *saved) {
         else
             tr->gl.GetIntegerv(names[i], value);
     }
-    saved->blend = tr->has_indexed ? tr->gl.IsEnabledi(TR_I_GL_BLEND, 0) : tr->gl.IsEnabled(TR_I_GL_BLEND);
+    for (i = 0; i < 2; ++i)
+        saved->blends[i] =
+            tr->has_indexed ? tr->gl.IsEnabledi(TR_I_GL_BLEND, (tr_i_u)i) : tr->gl.IsEnabled(TR_I_GL_BLEND);
     for (i = 0; i < tr->draw_buffers; ++i) {
         if (tr->has_indexed)
             tr->gl.GetBooleani_v(TR_I_GL_COLOR_WRITEMASK, (tr_i_u)i, saved->color_masks[i]);
@@ -1476,9 +1993,11 @@ static void tr_i_save_bindings(const tr_context *tr, tr_i_snapshot *saved) {
     gl->GetInteger64i_v(TR_I_GL_UNIFORM_BUFFER_START, binding, &saved->indexed_start);
     gl->GetInteger64i_v(TR_I_GL_UNIFORM_BUFFER_SIZE, binding, &saved->indexed_size);
     gl->GetIntegerv(TR_I_GL_ACTIVE_TEXTURE, &saved->active_texture);
-    for (i = 0; i < TR_I_UNIT_COUNT; ++i) {
+    for (i = 0; i < TR_TEXTURE_UNITS; ++i) {
         gl->ActiveTexture(TR_I_GL_TEXTURE0 + (tr_i_u)(tr->desc.first_texture_unit + i));
-        gl->GetIntegerv(TR_I_GL_TEXTURE_BINDING_2D, &saved->textures[i]);
+        gl->GetIntegerv(tr_i_targets[i] == TR_I_GL_TEXTURE_2D ? TR_I_GL_TEXTURE_BINDING_2D
+                                                              : TR_I_GL_TEXTURE_BINDING_2D_ARRAY,
+                        &saved->textures[i]);
         gl->GetIntegerv(TR_I_GL_SAMPLER_BINDING, &saved->samplers[i]);
     }
     gl->ActiveTexture((tr_i_u)saved->active_texture);
@@ -1523,14 +2042,19 @@ static void tr_i_save_defaults(tr_i_snapshot *saved) {
     saved->active_texture = (int32_t)TR_I_GL_TEXTURE0;
 }
 
+static void tr_i_switch_of(const tr_context *tr, tr_i_u cap, int index, int on) {
+    if (on)
+        tr->gl.Enablei(cap, (tr_i_u)index);
+    else
+        tr->gl.Disablei(cap, (tr_i_u)index);
+}
+
 static void tr_i_set_blend(const tr_context *tr, int on, tr_i_u source, tr_i_u destination, tr_i_u source_alpha,
                            tr_i_u destination_alpha, tr_i_u equation, tr_i_u equation_alpha) {
-    if (!tr->has_indexed)
-        tr_i_switch(tr, TR_I_GL_BLEND, on);
-    else if (on)
-        tr->gl.Enablei(TR_I_GL_BLEND, 0);
+    if (tr->has_indexed)
+        tr_i_switch_of(tr, TR_I_GL_BLEND, 0, on);
     else
-        tr->gl.Disablei(TR_I_GL_BLEND, 0);
+        tr_i_switch(tr, TR_I_GL_BLEND, on);
     if (tr->has_indexed_blend) {
         tr->gl.BlendFuncSeparatei(0, source, destination, source_alpha, destination_alpha);
         tr->gl.BlendEquationSeparatei(0, equation, equation_alpha);
@@ -1558,10 +2082,10 @@ static void tr_i_restore_bindings(const tr_context *tr, const tr_i_snapshot *sav
     gl->BindBuffer(TR_I_GL_UNIFORM_BUFFER, (tr_i_u)saved->uniform_buffer);
     gl->BindBuffer(TR_I_GL_COPY_WRITE_BUFFER, (tr_i_u)saved->copy_buffer);
     gl->BindBuffer(TR_I_GL_PIXEL_UNPACK_BUFFER, (tr_i_u)saved->unpack_buffer);
-    for (i = 0; i < TR_I_UNIT_COUNT; ++i) {
+    for (i = 0; i < TR_TEXTURE_UNITS; ++i) {
         tr_i_u unit = (tr_i_u)(tr->desc.first_texture_unit + i);
         gl->ActiveTexture(TR_I_GL_TEXTURE0 + unit);
-        gl->BindTexture(TR_I_GL_TEXTURE_2D, (tr_i_u)saved->textures[i]);
+        gl->BindTexture(tr_i_targets[i], (tr_i_u)saved->textures[i]);
         gl->BindSampler(unit, (tr_i_u)saved->samplers[i]);
     }
     gl->ActiveTexture((tr_i_u)saved->active_texture);
@@ -1576,12 +2100,8 @@ static void tr_i_restore(const tr_context *tr, const tr_i_snapshot *saved) {
             tr_i_switch(tr, tr_i_caps[i].name, saved->caps[i]);
     for (i = 0; i < tr->clip_distances; ++i)
         tr_i_switch(tr, TR_I_GL_CLIP_DISTANCE0 + (tr_i_u)i, saved->clip_distances[i]);
-    for (i = 0; i < tr->viewports; ++i) {
-        if (saved->scissors[i])
-            gl->Enablei(TR_I_GL_SCISSOR_TEST, (tr_i_u)i);
-        else
-            gl->Disablei(TR_I_GL_SCISSOR_TEST, (tr_i_u)i);
-    }
+    for (i = 0; i < tr->viewports; ++i)
+        tr_i_switch_of(tr, TR_I_GL_SCISSOR_TEST, i, saved->scissors[i]);
     tr_i_set_viewport(tr, saved->viewport[0], saved->viewport[1], saved->viewport[2], saved->viewport[3]);
     gl->DepthMask(saved->depth_mask);
     gl->DepthFunc((tr_i_u)saved->depth_func);
@@ -1590,7 +2110,9 @@ static void tr_i_restore(const tr_context *tr, const tr_i_snapshot *saved) {
     gl->FrontFace((tr_i_u)saved->front_face);
     if (!tr->es)
         gl->PolygonMode(TR_I_GL_FRONT_AND_BACK, (tr_i_u)saved->polygon_mode[0]);
-    tr_i_set_blend(tr, saved->blend, (tr_i_u)saved->blend_func[0], (tr_i_u)saved->blend_func[1],
+    if (tr->has_indexed)
+        tr_i_switch_of(tr, TR_I_GL_BLEND, 1, saved->blends[1]);
+    tr_i_set_blend(tr, saved->blends[0], (tr_i_u)saved->blend_func[0], (tr_i_u)saved->blend_func[1],
                    (tr_i_u)saved->blend_func[2], (tr_i_u)saved->blend_func[3], (tr_i_u)saved->blend_equation[0],
                    (tr_i_u)saved->blend_equation[1]);
     for (i = 0; i < tr->draw_buffers; ++i) {
@@ -1604,24 +2126,27 @@ static void tr_i_restore(const tr_context *tr, const tr_i_snapshot *saved) {
 
 static void tr_i_bind_textures(const tr_context *tr, const tr_state *state) {
     int i;
-    for (i = 0; i < TR_I_UNIT_COUNT; ++i) {
+    for (i = 0; i < TR_TEXTURE_UNITS; ++i) {
         tr_i_u unit = (tr_i_u)(state->first_texture_unit + i);
         /* Units that are not read are unbound as well: they may hold a texture that this pass draws into. */
         tr->gl.ActiveTexture(TR_I_GL_TEXTURE0 + unit);
-        tr->gl.BindTexture(TR_I_GL_TEXTURE_2D, state->textures[i]);
+        tr->gl.BindTexture(state->texture_targets[i], state->textures[i]);
         tr->gl.BindSampler(unit, 0);
     }
 }
 
-static void tr_i_mask_colors(const tr_context *tr, int first) {
+/* Opens the first `count` colour buffers. */
+static void tr_i_mask_colors(const tr_context *tr, int count) {
     int i;
-    unsigned char on = (unsigned char)first;
+    unsigned char on = count > 0;
     if (!tr->has_indexed) {
         tr->gl.ColorMask(on, on, on, on);
         return;
     }
-    for (i = 0; i < tr->draw_buffers; ++i)
-        tr->gl.ColorMaski((tr_i_u)i, i == 0 && first, i == 0 && first, i == 0 && first, i == 0 && first);
+    for (i = 0; i < tr->draw_buffers; ++i) {
+        on = i < count;
+        tr->gl.ColorMaski((tr_i_u)i, on, on, on, on);
+    }
 }
 
 /* Makes the context's state what the pass says, whatever it was. */
@@ -1637,7 +2162,12 @@ static void tr_i_apply(const tr_context *tr, const tr_state *state) {
     tr_i_set_viewport(tr, (float)state->viewport[0], (float)state->viewport[1], (float)state->viewport[2],
                       (float)state->viewport[3]);
     tr_i_set_depth_range(tr, 0.0, 1.0);
-    tr_i_mask_colors(tr, state->color_write || state->clear_color);
+    /* A second buffer is one of ours: the mark. The host may have left blending on for it. */
+    tr_i_mask_colors(tr, !state->color_write && !state->clear_color    ? 0
+                         : state->framebuffer == tr->frame.framebuffer ? 1
+                                                                       : 2);
+    if (tr->has_indexed)
+        tr_i_switch_of(tr, TR_I_GL_BLEND, 1, 0);
     gl->DepthMask((unsigned char)(state->depth_write || state->clear_depth));
     if (state->clear_color)
         gl->ClearBufferfv(TR_I_GL_COLOR, 0, state->clear_color_value);
@@ -1655,7 +2185,10 @@ static void tr_i_apply(const tr_context *tr, const tr_state *state) {
         gl->PolygonMode(TR_I_GL_FRONT_AND_BACK, TR_I_GL_FILL);
     gl->UseProgram(state->program);
     tr_i_bind_textures(tr, state);
-    gl->BindBufferBase(TR_I_GL_UNIFORM_BUFFER, (tr_i_u)state->uniform_binding, state->uniform_buffer);
+    if (tr->frame.wishes.options & TR_WISH_SRGB && !tr->es)
+        tr_i_switch(tr, TR_I_GL_FRAMEBUFFER_SRGB, state->srgb);
+    gl->BindBufferRange(TR_I_GL_UNIFORM_BUFFER, (tr_i_u)state->uniform_binding, state->uniform_buffer,
+                        state->uniform_offset, state->uniform_size);
 }
 
 /* ---- shaders and programs --------------------------------------------------------------------------------------- */
@@ -1663,6 +2196,8 @@ static void tr_i_apply(const tr_context *tr, const tr_state *state) {
 typedef struct tr_i_source {
     const char *strings[TR_I_MAX_STRINGS];
     int count;
+    char defines[512]; /* of variants; numbers in them are made at run time */
+    size_t used;
 } tr_i_source;
 
 static void tr_i_add(tr_i_source *source, const char *string) {
@@ -1675,6 +2210,17 @@ static void tr_i_add_chunks(tr_i_source *source, tr_i_strings chunks) {
         tr_i_add(source, *chunks);
 }
 
+static void tr_i_add_define(tr_i_source *source, const char *name, uint32_t number) {
+    tr_i_text text = tr_i_text_in(source->defines + source->used, sizeof source->defines - source->used);
+    tr_i_put(&text, "#define ");
+    tr_i_put(&text, name);
+    tr_i_put(&text, " ");
+    tr_i_put_number(&text, number);
+    tr_i_put(&text, "\n");
+    tr_i_add(source, text.at);
+    source->used += text.length + 1;
+}
+
 static void tr_i_add_preamble(tr_i_source *source, int es, int reversed_z) {
     /* A string of its own: what must follow the version at once, #extension lines, goes between this and the next. */
     tr_i_add(source, es ? "#version 300 es\n" : "#version 330 core\n");
@@ -1684,64 +2230,117 @@ static void tr_i_add_preamble(tr_i_source *source, int es, int reversed_z) {
              reversed_z ? "#define TR_REVERSED_Z 1\n#define TR_CLEAR_DEPTH 0.0\n" : "#define TR_CLEAR_DEPTH 1.0\n");
 }
 
+static int tr_i_wants_color(int rule) {
+    return rule == TR_RULE_FRONT_ALONE || rule == TR_RULE_PEEL_ALONE || rule == TR_RULE_LAYER ||
+           rule == TR_RULE_LAYER_MARKED || rule == TR_RULE_LAYER_GROUP || rule == TR_RULE_OPAQUE;
+}
+
 static void tr_i_add_rule(tr_i_source *source, int rule) {
     static const char *const rules[TR_RULE_COUNT] = {
-        "#define TR_RULE 0\n", "#define TR_RULE 1\n", "#define TR_RULE 2\n", "#define TR_RULE 3\n",
-        "#define TR_RULE 4\n", "#define TR_RULE 5\n", "#define TR_RULE 6\n", "#define TR_RULE 7\n"};
+        "#define TR_RULE 0\n",  "#define TR_RULE 1\n", "#define TR_RULE 2\n",  "#define TR_RULE 3\n",
+        "#define TR_RULE 4\n",  "#define TR_RULE 5\n", "#define TR_RULE 6\n",  "#define TR_RULE 7\n",
+        "#define TR_RULE 8\n",  "#define TR_RULE 9\n", "#define TR_RULE 10\n", "#define TR_RULE 11\n",
+        "#define TR_RULE 12\n", "#define TR_RULE 13\n"};
     tr_i_add(source, rules[rule]);
-    tr_i_add(source, rule >= TR_RULE_OPAQUE ? "#define TR_WANTS_COLOR 1\n" : "#define TR_WANTS_COLOR 0\n");
+    tr_i_add(source, tr_i_wants_color(rule) ? "#define TR_WANTS_COLOR 1\n" : "#define TR_WANTS_COLOR 0\n");
+    tr_i_add(source, rule == TR_RULE_PEEL_GROUP || rule == TR_RULE_LIMIT_MARKED || rule == TR_RULE_LIMIT_MARKED_SHEET
+                         ? "#define TR_CHAIN 1\n"
+                         : "#define TR_CHAIN 0\n");
 }
 
 /* What a host's shader begins with, and the built-in surface programs too. */
 static void tr_i_host_source(tr_i_source *source, tr_stage stage, int rule, int es, int reversed_z) {
     source->count = 0;
+    source->used = 0;
     tr_i_add_preamble(source, es, reversed_z);
     tr_i_add_rule(source, rule);
     if (stage == TR_VERTEX) {
         tr_i_add_chunks(source, tr_i_shader_surface_vertex_glsl);
         tr_i_add_chunks(source, tr_i_shader_alpha_law_glsl);
     } else {
+        tr_i_add_chunks(source, tr_i_shader_frame_block_glsl);
+        tr_i_add_chunks(source, tr_i_shader_chain_glsl);
         tr_i_add_chunks(source, tr_i_shader_surface_rules_glsl);
         tr_i_add_chunks(source, tr_i_shader_cool_to_warm_glsl);
     }
 }
 
-static void tr_i_compose_source(tr_i_source *source, int variant) {
-    static const char *const blendings[3] = {"#define TR_BLENDING 0\n", "#define TR_BLENDING 1\n",
-                                             "#define TR_BLENDING 2\n"};
-    tr_i_add(source, variant == 0 || variant > 3 ? "#define TR_HAS_OPAQUE 1\n" : "#define TR_HAS_OPAQUE 0\n");
-    tr_i_add(source, variant > 0 ? "#define TR_HAS_LAYER 1\n" : "#define TR_HAS_LAYER 0\n");
-    tr_i_add(source, blendings[variant > 0 ? (variant - 1) % 3 : 0]);
+/* Variants of the composition and of lines. A key has a field for each thing that its text depends on. */
+enum { TR_I_COMPOSITION = 1, TR_I_LINE = 2, TR_I_INK_OUTLINES = 1, TR_I_LINE_HIDDEN = 1, TR_I_LINE_OUTER = 2 };
+typedef struct tr_i_variant {
+    uint32_t kind, supersample, srgb, has_scene;
+    uint32_t layers, blending, has_opaque, groups, blend_color, published; /* compositions */
+    uint32_t ink, line, on_target, has_front;                              /* lines */
+} tr_i_variant;
+
+static uint32_t tr_i_key_of(const tr_i_variant *v) {
+    return v->kind | v->supersample << 2 | v->srgb << 5 | v->has_scene << 6 | v->layers << 7 | v->blending << 11 |
+           v->has_opaque << 13 | v->groups << 14 | v->blend_color << 15 | v->published << 16 | v->ink << 17 |
+           v->line << 18 | v->on_target << 20 | v->has_front << 21;
+}
+
+static tr_i_variant tr_i_variant_of(uint32_t key) {
+    tr_i_variant v;
+    v.kind = key & 3u;
+    v.supersample = key >> 2 & 7u;
+    v.srgb = key >> 5 & 1u;
+    v.has_scene = key >> 6 & 1u;
+    v.layers = key >> 7 & 15u;
+    v.blending = key >> 11 & 3u;
+    v.has_opaque = key >> 13 & 1u;
+    v.groups = key >> 14 & 1u;
+    v.blend_color = key >> 15 & 1u;
+    v.published = key >> 16 & 1u;
+    v.ink = key >> 17 & 1u;
+    v.line = key >> 18 & 3u;
+    v.on_target = key >> 20 & 1u;
+    v.has_front = key >> 21 & 1u;
+    return v;
+}
+
+static void tr_i_variant_source(tr_i_source *source, tr_stage stage, uint32_t key) {
+    tr_i_variant v = tr_i_variant_of(key);
+    if (v.kind == TR_I_COMPOSITION && stage == TR_VERTEX) {
+        tr_i_add_chunks(source, tr_i_shader_fullscreen_vert);
+        return;
+    }
+    tr_i_add_define(source, "TR_SUPERSAMPLE", v.supersample);
+    tr_i_add_define(source, "TR_SRGB", v.srgb);
+    tr_i_add_define(source, "TR_HAS_SCENE", v.has_scene);
     tr_i_add_chunks(source, tr_i_shader_frame_block_glsl);
+    if (v.kind == TR_I_LINE) {
+        tr_i_add_define(source, "TR_INK", v.ink);
+        tr_i_add_define(source, "TR_LINE", v.line);
+        tr_i_add_define(source, "TR_ON_TARGET", v.on_target);
+        tr_i_add_define(source, "TR_HAS_FRONT", v.has_front);
+        tr_i_add_chunks(source, stage == TR_VERTEX ? tr_i_shader_line_vert : tr_i_shader_line_frag);
+        return;
+    }
+    tr_i_add_define(source, "TR_LAYERS", v.layers);
+    tr_i_add_define(source, "TR_BLENDING", v.blending);
+    tr_i_add_define(source, "TR_HAS_OPAQUE", v.has_opaque);
+    tr_i_add_define(source, "TR_CHAIN", v.groups);
+    tr_i_add_define(source, "TR_BLEND_COLOR", v.blend_color);
+    tr_i_add_define(source, "TR_PUBLISHED", v.published);
+    tr_i_add_chunks(source, tr_i_shader_chain_glsl);
     tr_i_add_chunks(source, tr_i_shader_compose_frag);
 }
 
-static void tr_i_line_source(tr_i_source *source, tr_stage stage, int variant) {
-    tr_i_add(source, variant & 1 ? "#define TR_INK 1\n" : "#define TR_INK 0\n");
-    tr_i_add(source, variant & 2 ? "#define TR_ON_TARGET 1\n" : "#define TR_ON_TARGET 0\n");
-    tr_i_add_chunks(source, tr_i_shader_frame_block_glsl);
-    tr_i_add_chunks(source, stage == TR_VERTEX ? tr_i_shader_line_vert : tr_i_shader_line_frag);
-}
-
-/* The whole text of one stage of a built-in program. */
-static void tr_i_program_source(tr_i_source *source, int program, tr_stage stage, int es, int reversed_z) {
+/* The whole text of one stage of a built-in program; key: of a variant. */
+static void tr_i_program_source(tr_i_source *source, int program, uint32_t key, tr_stage stage, int es,
+                                int reversed_z) {
     if (program < TR_I_PROGRAM_COPY_DEPTH) {
         tr_i_host_source(source, stage, program, es, reversed_z);
-        if (stage == TR_FRAGMENT && program >= (int)TR_RULE_OPAQUE)
-            tr_i_add_chunks(source, tr_i_shader_frame_block_glsl);
         tr_i_add_chunks(source, stage == TR_VERTEX ? tr_i_shader_surface_vert : tr_i_shader_surface_frag);
         return;
     }
     source->count = 0;
+    source->used = 0;
     tr_i_add_preamble(source, es, reversed_z);
-    if (program >= TR_I_PROGRAM_LINE)
-        tr_i_line_source(source, stage, program - TR_I_PROGRAM_LINE);
-    else if (stage == TR_VERTEX)
-        tr_i_add_chunks(source, tr_i_shader_fullscreen_vert);
-    else if (program == TR_I_PROGRAM_COPY_DEPTH)
-        tr_i_add_chunks(source, tr_i_shader_copy_depth_frag);
+    if (program >= TR_I_PROGRAM_VARIANT)
+        tr_i_variant_source(source, stage, key);
     else
-        tr_i_compose_source(source, program - TR_I_PROGRAM_COMPOSE);
+        tr_i_add_chunks(source, stage == TR_VERTEX ? tr_i_shader_fullscreen_vert : tr_i_shader_copy_depth_frag);
 }
 
 static tr_i_u tr_i_compile(tr_context *tr, int program, tr_stage stage) {
@@ -1751,7 +2350,7 @@ static tr_i_u tr_i_compile(tr_context *tr, int program, tr_stage stage) {
     tr_i_u shader = tr->gl.CreateShader(stage == TR_VERTEX ? TR_I_GL_VERTEX_SHADER : TR_I_GL_FRAGMENT_SHADER);
     if (!shader)
         return 0;
-    tr_i_program_source(&source, program, stage, tr->es, tr->desc.reversed_z);
+    tr_i_program_source(&source, program, tr->programs[program].key, stage, tr->es, tr->desc.reversed_z);
     tr->gl.ShaderSource(shader, source.count, source.strings, 0);
     tr->gl.CompileShader(shader);
     tr->gl.GetShaderiv(shader, TR_I_GL_COMPILE_STATUS, &ok);
@@ -1793,12 +2392,13 @@ static tr_i_u tr_i_link(tr_context *tr, int index) {
 
 /* Points a program's samplers and block at our units and binding. The program is left in use. */
 static void tr_i_wire_program(tr_context *tr, tr_i_u program) {
-    static const char *const samplers[TR_I_UNIT_COUNT] = {"tr_front_depth", "tr_front_owner", "tr_scene_depth",
-                                                          "tr_opaque_color", "tr_layer_color"};
+    static const char *const samplers[TR_TEXTURE_UNITS] = {"tr_front_depth", "tr_odd_depth",    "tr_front_owner",
+                                                           "tr_scene_depth", "tr_opaque_color", "tr_layer_color",
+                                                           "tr_front_mark"};
     tr_i_u block = tr->gl.GetUniformBlockIndex(program, "tr_frame");
     int i;
     tr->gl.UseProgram(program);
-    for (i = 0; i < TR_I_UNIT_COUNT; ++i) {
+    for (i = 0; i < TR_TEXTURE_UNITS; ++i) {
         int32_t location = tr->gl.GetUniformLocation(program, samplers[i]);
         if (location >= 0)
             tr->gl.Uniform1i(location, tr->desc.first_texture_unit + i);
@@ -1974,7 +2574,7 @@ static tr_result tr_i_check_bindings(tr_context *tr) {
         tr->desc.first_texture_unit = 8;
     if (tr->desc.uniform_binding == 0)
         tr->desc.uniform_binding = 15;
-    if (tr->desc.first_texture_unit < 0 || tr->desc.first_texture_unit > units - TR_I_UNIT_COUNT)
+    if (tr->desc.first_texture_unit < 0 || tr->desc.first_texture_unit > units - TR_TEXTURE_UNITS)
         return tr_i_fail(&tr->desc, TR_INVALID_ARGUMENT, "desc.first_texture_unit");
     if (tr->desc.uniform_binding < 0 || tr->desc.uniform_binding >= bindings)
         return tr_i_fail(&tr->desc, TR_INVALID_ARGUMENT, "desc.uniform_binding");
@@ -2077,94 +2677,207 @@ TR_I_API tr_info tr_get_info(const tr_context *tr) {
     info.plan = &tr->plan;
     for (i = 0; i < TR_I_TEXTURE_COUNT; ++i)
         if (tr->textures[i])
-            info.bytes += (uint64_t)tr->width * (uint64_t)tr->height * 4u;
+            info.bytes += (uint64_t)tr->width * (uint64_t)tr->height * (uint64_t)tr->slices[i] * tr_i_texel_bytes(i);
     return info;
 }
 
 /* ---- textures and framebuffers ---------------------------------------------------------------------------------- */
 
-/* What is attached: depth texture, colour texture or -1. */
-static const int tr_i_attachments[TR_I_FBO_COUNT][2] = {
-    {TR_I_FRONT_DEPTH, -1},
-    {TR_I_FRONT_OWNER, -1},
-    {TR_I_SCENE_DEPTH, -1},
-    {TR_I_SCENE_DEPTH, TR_I_OPAQUE_COLOR},
-    {TR_I_SCENE_DEPTH, TR_I_LAYER_COLOR},
-    {TR_I_DEPTH_COPY, -1},
-};
+typedef struct tr_i_attachment {
+    int texture, slice; /* texture -1: none */
+} tr_i_attachment;
 
-static void tr_i_make_texture(tr_context *tr, int index, int width, int height) {
-    int depth = index != TR_I_OPAQUE_COLOR && index != TR_I_LAYER_COLOR;
+/* What is attached to a framebuffer: depth, then up to two colours. */
+static void tr_i_attachments_of(int fbo, tr_i_attachment out[3]) {
+    int layer = fbo % TR_MAX_LAYERS, depth = layer & 1 ? TR_I_ODD_DEPTH : TR_I_FRONT_DEPTH, i;
+    for (i = 0; i < 3; ++i) {
+        out[i].texture = -1;
+        out[i].slice = i == 0 ? layer / 2 : 0;
+    }
+    if (fbo >= TR_I_FBO_LIMIT) {
+        out[0].texture = fbo == TR_I_FBO_COPY ? TR_I_DEPTH_COPY : TR_I_SCENE_DEPTH;
+        out[0].slice = 0;
+        out[1].texture = fbo == TR_I_FBO_OPAQUE ? TR_I_OPAQUE_COLOR : -1;
+        return;
+    }
+    out[0].texture = depth;
+    out[1].slice = layer;
+    if (fbo >= TR_I_FBO_ALONE)
+        out[1].texture = TR_I_LAYER_COLOR;
+    if (fbo >= TR_I_FBO_LAYER) {
+        out[0].texture = TR_I_FRONT_OWNER;
+        out[0].slice = fbo >= TR_I_FBO_GROUP ? layer : 0;
+    }
+    if (fbo == TR_I_FBO_GROUP)
+        out[2].texture = TR_I_MARK;
+}
+
+static int tr_i_fbo_of(const tr_plan_pass *pass) {
+    switch (pass->kind) {
+    case TR_PASS_FRONT:
+    case TR_PASS_PEEL:
+        return pass->layer + (pass->rule == TR_RULE_FRONT_ALONE || pass->rule == TR_RULE_PEEL_ALONE ? TR_I_FBO_ALONE
+                                                                                                    : TR_I_FBO_DEPTH);
+    case TR_PASS_LAYER:
+        return pass->layer + (pass->rule == TR_RULE_LAYER ? TR_I_FBO_LAYER : TR_I_FBO_GROUP);
+    case TR_PASS_LIMIT:
+        return TR_I_FBO_LIMIT;
+    case TR_PASS_OPAQUE:
+    case TR_PASS_OPAQUE_LINES:
+        return TR_I_FBO_OPAQUE;
+    case TR_PASS_COPY_DEPTH:
+        return TR_I_FBO_COPY;
+    default:
+        return -1; /* the host's target */
+    }
+}
+
+static void tr_i_make_texture(tr_context *tr, int index, int slices) {
     const tr_i_gl *gl = &tr->gl;
+    int unit = index == TR_I_DEPTH_COPY ? TR_I_SCENE_DEPTH : index;
+    int color = index == TR_I_OPAQUE_COLOR || index == TR_I_LAYER_COLOR, mark = index == TR_I_MARK;
+    tr_i_u target = tr_i_targets[unit];
+    tr_i_u internal = color ? TR_I_GL_RGBA8 : mark ? TR_I_GL_R8 : TR_I_GL_DEPTH_COMPONENT32F;
+    tr_i_u format = color ? TR_I_GL_RGBA : mark ? TR_I_GL_RED : TR_I_GL_DEPTH_COMPONENT;
+    tr_i_u type = color || mark ? TR_I_GL_UNSIGNED_BYTE : TR_I_GL_FLOAT;
+    gl->ActiveTexture(TR_I_GL_TEXTURE0 + (tr_i_u)(tr->desc.first_texture_unit + unit));
     gl->GenTextures(1, &tr->textures[index]);
-    gl->BindTexture(TR_I_GL_TEXTURE_2D, tr->textures[index]);
-    gl->TexImage2D(TR_I_GL_TEXTURE_2D, 0, (int32_t)(depth ? TR_I_GL_DEPTH_COMPONENT32F : TR_I_GL_RGBA8), width, height,
-                   0, depth ? TR_I_GL_DEPTH_COMPONENT : TR_I_GL_RGBA, depth ? TR_I_GL_FLOAT : TR_I_GL_UNSIGNED_BYTE, 0);
-    gl->TexParameteri(TR_I_GL_TEXTURE_2D, TR_I_GL_TEXTURE_MIN_FILTER, TR_I_GL_NEAREST);
-    gl->TexParameteri(TR_I_GL_TEXTURE_2D, TR_I_GL_TEXTURE_MAG_FILTER, TR_I_GL_NEAREST);
-    gl->TexParameteri(TR_I_GL_TEXTURE_2D, TR_I_GL_TEXTURE_WRAP_S, TR_I_GL_CLAMP_TO_EDGE);
-    gl->TexParameteri(TR_I_GL_TEXTURE_2D, TR_I_GL_TEXTURE_WRAP_T, TR_I_GL_CLAMP_TO_EDGE);
+    gl->BindTexture(target, tr->textures[index]);
+    if (target == TR_I_GL_TEXTURE_2D)
+        gl->TexImage2D(target, 0, (int32_t)internal, tr->width, tr->height, 0, format, type, 0);
+    else
+        gl->TexImage3D(target, 0, (int32_t)internal, tr->width, tr->height, slices, 0, format, type, 0);
+    gl->TexParameteri(target, TR_I_GL_TEXTURE_MIN_FILTER, TR_I_GL_NEAREST);
+    gl->TexParameteri(target, TR_I_GL_TEXTURE_MAG_FILTER, TR_I_GL_NEAREST);
+    gl->TexParameteri(target, TR_I_GL_TEXTURE_WRAP_S, TR_I_GL_CLAMP_TO_EDGE);
+    gl->TexParameteri(target, TR_I_GL_TEXTURE_WRAP_T, TR_I_GL_CLAMP_TO_EDGE);
+    tr->slices[index] = slices;
+}
+
+static void tr_i_attach(const tr_context *tr, tr_i_u point, tr_i_attachment a) {
+    if (tr_i_targets[a.texture == TR_I_DEPTH_COPY ? TR_I_SCENE_DEPTH : a.texture] == TR_I_GL_TEXTURE_2D)
+        tr->gl.FramebufferTexture2D(TR_I_GL_DRAW_FRAMEBUFFER, point, TR_I_GL_TEXTURE_2D, tr->textures[a.texture], 0);
+    else
+        tr->gl.FramebufferTextureLayer(TR_I_GL_DRAW_FRAMEBUFFER, point, tr->textures[a.texture], 0, a.slice);
 }
 
 static int tr_i_make_fbo(tr_context *tr, int index) {
     const tr_i_gl *gl = &tr->gl;
-    int depth = tr_i_attachments[index][0], color = tr_i_attachments[index][1];
-    tr_i_u buffer = color >= 0 ? TR_I_GL_COLOR_ATTACHMENT0 : 0;
+    tr_i_attachment attached[3];
+    tr_i_u buffers[2];
+    int i;
+    tr_i_attachments_of(index, attached);
     gl->GenFramebuffers(1, &tr->fbos[index]);
     gl->BindFramebuffer(TR_I_GL_DRAW_FRAMEBUFFER, tr->fbos[index]);
     gl->BindFramebuffer(TR_I_GL_READ_FRAMEBUFFER, tr->fbos[index]);
-    gl->FramebufferTexture2D(TR_I_GL_DRAW_FRAMEBUFFER, TR_I_GL_DEPTH_ATTACHMENT, TR_I_GL_TEXTURE_2D,
-                             tr->textures[depth], 0);
-    if (color >= 0)
-        gl->FramebufferTexture2D(TR_I_GL_DRAW_FRAMEBUFFER, TR_I_GL_COLOR_ATTACHMENT0, TR_I_GL_TEXTURE_2D,
-                                 tr->textures[color], 0);
-    gl->DrawBuffers(1, &buffer);
-    gl->ReadBuffer(buffer);
+    tr_i_attach(tr, TR_I_GL_DEPTH_ATTACHMENT, attached[0]);
+    for (i = 0; i < 2; ++i) {
+        tr_i_u point = TR_I_GL_COLOR_ATTACHMENT0 + (tr_i_u)i;
+        buffers[i] = attached[i + 1].texture >= 0 ? point : 0;
+        if (buffers[i])
+            tr_i_attach(tr, point, attached[i + 1]);
+    }
+    gl->DrawBuffers(buffers[1] ? 2 : 1, buffers);
+    gl->ReadBuffer(buffers[0]);
     return gl->CheckFramebufferStatus(TR_I_GL_DRAW_FRAMEBUFFER) == TR_I_GL_FRAMEBUFFER_COMPLETE;
 }
 
-/* glTexImage2D may fail for want of memory; then a framebuffer is not complete, and all textures are given back. */
-static tr_result tr_i_make_textures(tr_context *tr, uint32_t wanted, int width, int height) {
-    int i;
-    if (tr->width != width || tr->height != height)
+/* Whether a texture of the plan is missing, or an array too short. */
+static int tr_i_lacks(const tr_context *tr, int texture) {
+    return ((tr->plan.textures >> texture) & 1u) &&
+           (!tr->textures[texture] || tr->slices[texture] < tr_i_slices_of(&tr->plan, texture));
+}
+
+/* Arrays that are too short go, with what they are attached to, as all go when the size changes. */
+static void tr_i_drop_misfits(tr_context *tr, int width, int height) {
+    int i, misfit = tr->width != width || tr->height != height;
+    for (i = 0; i < TR_I_TEXTURE_COUNT; ++i)
+        misfit = misfit || (tr->textures[i] && tr_i_lacks(tr, i));
+    if (misfit)
         tr_i_drop_textures(tr);
     tr->width = width;
     tr->height = height;
-    tr->gl.ActiveTexture(TR_I_GL_TEXTURE0 + (tr_i_u)tr->desc.first_texture_unit);
+}
+
+/* glTexImage may fail for want of memory; then a framebuffer is not complete, and all textures are given back. */
+static tr_result tr_i_make_textures(tr_context *tr) {
+    int i;
+    tr_i_drop_misfits(tr, tr->frame.width * tr->plan.supersample, tr->frame.height * tr->plan.supersample);
     tr->gl.BindBuffer(TR_I_GL_PIXEL_UNPACK_BUFFER, 0);
     for (i = 0; i < TR_I_TEXTURE_COUNT; ++i)
-        if (((wanted >> i) & 1u) && !tr->textures[i])
-            tr_i_make_texture(tr, i, width, height);
-    for (i = 0; i < TR_I_FBO_COUNT; ++i) {
-        int depth = tr_i_attachments[i][0], color = tr_i_attachments[i][1];
-        if (tr->fbos[i] || !tr->textures[depth] || (color >= 0 && !tr->textures[color]))
+        if (tr_i_lacks(tr, i))
+            tr_i_make_texture(tr, i, tr_i_slices_of(&tr->plan, i));
+    for (i = 0; i < tr->plan.pass_count; ++i) {
+        int fbo = tr_i_fbo_of(&tr->plan.passes[i]);
+        if (fbo < 0 || tr->fbos[fbo] || tr_i_make_fbo(tr, fbo))
             continue;
-        if (!tr_i_make_fbo(tr, i)) {
-            tr_i_drop_textures(tr);
-            return tr_i_fail(&tr->desc, TR_TARGET_INCOMPLETE, "one of the header's own");
-        }
+        tr_i_drop_textures(tr);
+        return tr_i_fail(&tr->desc, TR_TARGET_INCOMPLETE, "one of the header's own");
     }
     return TR_OK;
 }
 
 /* ---- the sequence ----------------------------------------------------------------------------------------------- */
 
-static int tr_i_program_of(const tr_context *tr, const tr_plan_pass *pass) {
-    int layer = (tr->plan.textures >> TR_I_LAYER_COLOR) & 1u;
-    int opaque = (tr->plan.textures >> TR_I_OPAQUE_COLOR) & 1u;
-    int ink = pass->lines == TR_LINES_OUTLINES;
-    switch (pass->kind) {
-    case TR_PASS_COPY_DEPTH:
-        return TR_I_PROGRAM_COPY_DEPTH;
-    case TR_PASS_COMPOSE:
-        return TR_I_PROGRAM_COMPOSE + (layer ? 1 + (int)tr->frame.wishes.blending + (opaque ? 3 : 0) : 0);
-    case TR_PASS_OPAQUE_LINES:
-        return TR_I_PROGRAM_LINE + ink;
-    case TR_PASS_TRANSPARENT_LINES:
-        return TR_I_PROGRAM_LINE + 2 + ink;
-    default:
-        return TR_I_PROGRAM_SURFACE + (int)pass->rule;
+static void tr_i_line_variant(const tr_context *tr, const tr_plan_pass *pass, tr_i_variant *v) {
+    int opaque_alone = (pass->classes & TR_I_ALL_TRANSPARENT) == 0;
+    v->kind = TR_I_LINE;
+    v->ink = pass->lines != TR_LINES_CREASES;
+    v->line = pass->lines == TR_LINES_HIDDEN  ? (uint32_t)TR_I_LINE_HIDDEN
+              : pass->lines == TR_LINES_OUTER ? (uint32_t)TR_I_LINE_OUTER
+                                              : 0u;
+    v->on_target = pass->kind != TR_PASS_OPAQUE_LINES;
+    v->has_front = (tr->plan.textures >> TR_I_FRONT_DEPTH & 1u) && v->on_target &&
+                   (pass->kind != TR_PASS_HIDDEN_LINES || !opaque_alone);
+}
+
+/* The key of a pass that is drawn by a variant; 0 where it is not. */
+static uint32_t tr_i_pass_key(const tr_context *tr, const tr_plan_pass *pass) {
+    const tr_wishes *wishes = &tr->frame.wishes;
+    tr_i_variant v;
+    memset(&v, 0, sizeof v);
+    v.supersample = (uint32_t)tr->plan.supersample;
+    v.srgb = (wishes->options & TR_WISH_SRGB) != 0;
+    v.has_scene = tr->plan.textures >> TR_I_SCENE_DEPTH & 1u;
+    if (pass->lines) {
+        tr_i_line_variant(tr, pass, &v);
+        return tr_i_key_of(&v);
     }
+    if (pass->kind != TR_PASS_COMPOSE)
+        return 0;
+    v.kind = TR_I_COMPOSITION;
+    v.layers = (uint32_t)tr->plan.layers;
+    v.blending = v.layers ? (uint32_t)wishes->blending : 0;
+    v.has_opaque = tr->plan.textures >> TR_I_OPAQUE_COLOR & 1u;
+    v.groups = (uint32_t)tr->plan.grouped;
+    v.blend_color = v.layers && (wishes->options & TR_WISH_BLEND_COLOR);
+    v.published = tr->plan.interior == TR_INTERIOR_IMPLICIT_PUBLISHED && v.layers;
+    return tr_i_key_of(&v);
+}
+
+/* -1: a variant that is not made yet. */
+static int tr_i_program_of(const tr_context *tr, const tr_plan_pass *pass) {
+    uint32_t key = tr_i_pass_key(tr, pass);
+    int i;
+    if (pass->kind == TR_PASS_COPY_DEPTH)
+        return TR_I_PROGRAM_COPY_DEPTH;
+    if (!key)
+        return (int)pass->rule;
+    for (i = TR_I_PROGRAM_VARIANT; i < TR_I_PROGRAM_COUNT; ++i)
+        if (tr->programs[i].name && tr->programs[i].key == key)
+            return i;
+    return -1;
+}
+
+/* A free place for a variant, or that of the one made longest ago. */
+static int tr_i_place_variant(tr_context *tr, uint32_t key) {
+    int i = TR_I_PROGRAM_VARIANT + tr->next_variant;
+    tr->next_variant = (tr->next_variant + 1) % TR_I_VARIANT_COUNT;
+    if (tr->programs[i].name)
+        tr->gl.DeleteProgram(tr->programs[i].name);
+    tr->programs[i].name = 0;
+    tr->programs[i].key = key;
+    return i;
 }
 
 static float tr_i_weight(float weight, float fallback) {
@@ -2185,7 +2898,17 @@ static void tr_i_unit_vector(float out[4], const float in[3], const float fallba
     out[3] = 0.0f;
 }
 
-static void tr_i_fill_block(const tr_frame *frame, tr_i_block *block) {
+/* Clip z = p10 z + p14 and w = p11 z + p15 for eye z; solved for the distance -z as (x + y d) / (z + w d) of the window
+   depth d, which is clip z / w, or half of it and a half. */
+static void tr_i_eye_depth(const float p[16], int zero_to_one, float out[4]) {
+    double scale = zero_to_one ? 1.0 : 2.0, shift = zero_to_one ? 0.0 : -1.0;
+    out[0] = (float)(shift * (double)p[15] - (double)p[14]);
+    out[1] = (float)(scale * (double)p[15]);
+    out[2] = (float)(shift * (double)p[11] - (double)p[10]);
+    out[3] = (float)(scale * (double)p[11]);
+}
+
+static void tr_i_fill_block(const tr_frame *frame, int zero_to_one, tr_i_block *block) {
     static const float light[3] = {-0.45f, 0.65f, 0.62f};
     static const float cool[4] = {0.10f, 0.14f, 0.30f, 0.45f}, warm[4] = {0.22f, 0.19f, 0.08f, 0.80f};
     static const float zero[4] = {0, 0, 0, 0};
@@ -2202,6 +2925,10 @@ static void tr_i_fill_block(const tr_frame *frame, tr_i_block *block) {
     block->weights[0] = tr_i_weight(frame->opaque_weight, 1.0f);
     block->weights[1] = tr_i_weight(frame->background_weight, 0.5f);
     block->weights[2] = frame->line_tolerance > 0.0f ? frame->line_tolerance : 2.0f;
+    tr_i_eye_depth(frame->projection, zero_to_one, block->eye);
+    memcpy(block->blend, frame->blend_color, sizeof frame->blend_color);
+    block->blend[3] = frame->group_distance > 0.0f ? frame->group_distance : -1.0f;
+    memcpy(block->shift, frame->jitter, sizeof frame->jitter);
     block->viewport[0] = (float)frame->x;
     block->viewport[1] = (float)frame->y;
     block->viewport[2] = (float)frame->width;
@@ -2220,34 +2947,51 @@ static int tr_i_needs_work(const tr_context *tr, const tr_i_block *block) {
     if (!tr->uniform_buffer || !tr->vertex_array || !tr->block_uploaded ||
         memcmp(block, &tr->block, sizeof *block) != 0)
         return 1;
-    if (tr->width != tr->frame.width || tr->height != tr->frame.height)
+    if (tr->width != tr->frame.width * tr->plan.supersample || tr->height != tr->frame.height * tr->plan.supersample)
         return 1;
     for (i = 0; i < TR_I_TEXTURE_COUNT; ++i)
-        if (((tr->plan.textures >> i) & 1u) && !tr->textures[i])
+        if (tr_i_lacks(tr, i))
             return 1;
-    for (i = 0; i < tr->plan.pass_count; ++i)
-        if (!tr->programs[tr_i_program_of(tr, &tr->plan.passes[i])].name)
+    for (i = 0; i < tr->plan.pass_count; ++i) {
+        int program = tr_i_program_of(tr, &tr->plan.passes[i]), fbo = tr_i_fbo_of(&tr->plan.passes[i]);
+        if (program < 0 || !tr->programs[program].name || (fbo >= 0 && !tr->fbos[fbo]))
             return 1;
+    }
     return 0;
 }
 
+/* A copy of the block for each layer that a pass may read: they differ in their last member. */
 static void tr_i_upload_block(tr_context *tr, const tr_i_block *block) {
+    unsigned char copies[TR_MAX_LAYERS * TR_I_STRIDE];
+    tr_i_block copy = *block;
+    int i;
+    if (tr->block_uploaded && memcmp(block, &tr->block, sizeof *block) == 0)
+        return;
+    memset(copies, 0, sizeof copies);
+    for (i = 0; i < TR_MAX_LAYERS; ++i) {
+        copy.step[0] = i;
+        memcpy(copies + i * TR_I_STRIDE, &copy, sizeof copy);
+    }
     if (!tr->uniform_buffer)
         tr->gl.GenBuffers(1, &tr->uniform_buffer);
     tr->gl.BindBuffer(TR_I_GL_COPY_WRITE_BUFFER, tr->uniform_buffer);
     if (!tr->block_uploaded)
-        tr->gl.BufferData(TR_I_GL_COPY_WRITE_BUFFER, (ptrdiff_t)sizeof *block, block, TR_I_GL_DYNAMIC_DRAW);
-    else if (memcmp(block, &tr->block, sizeof *block) != 0)
-        tr->gl.BufferSubData(TR_I_GL_COPY_WRITE_BUFFER, 0, (ptrdiff_t)sizeof *block, block);
+        tr->gl.BufferData(TR_I_GL_COPY_WRITE_BUFFER, (ptrdiff_t)sizeof copies, copies, TR_I_GL_DYNAMIC_DRAW);
+    else
+        tr->gl.BufferSubData(TR_I_GL_COPY_WRITE_BUFFER, 0, (ptrdiff_t)sizeof copies, copies);
     tr->block = *block;
     tr->block_uploaded = 1;
 }
 
 static tr_result tr_i_work(tr_context *tr, const tr_i_block *block) {
-    tr_result result = tr_i_make_textures(tr, tr->plan.textures, tr->frame.width, tr->frame.height);
+    tr_result result = tr_i_make_textures(tr);
     int i;
-    for (i = 0; i < tr->plan.pass_count && result == TR_OK; ++i)
-        result = tr_i_make_program(tr, tr_i_program_of(tr, &tr->plan.passes[i]));
+    for (i = 0; i < tr->plan.pass_count && result == TR_OK; ++i) {
+        int program = tr_i_program_of(tr, &tr->plan.passes[i]);
+        if (program < 0)
+            program = tr_i_place_variant(tr, tr_i_pass_key(tr, &tr->plan.passes[i]));
+        result = tr_i_make_program(tr, program);
+    }
     if (result != TR_OK)
         return result;
     if (!tr->vertex_array)
@@ -2256,7 +3000,8 @@ static tr_result tr_i_work(tr_context *tr, const tr_i_block *block) {
     return TR_OK;
 }
 
-static tr_result tr_i_check_target(tr_context *tr) {
+/* Also whether the target is multisampled. */
+static tr_result tr_i_check_target(tr_context *tr, int *multisampled) {
     int32_t bound = 0, samples = 0;
     tr->gl.BindFramebuffer(TR_I_GL_DRAW_FRAMEBUFFER, tr->frame.framebuffer);
     /* A name that is none is not bound, and what was bound before would pass for it. */
@@ -2265,7 +3010,8 @@ static tr_result tr_i_check_target(tr_context *tr) {
         tr->gl.CheckFramebufferStatus(TR_I_GL_DRAW_FRAMEBUFFER) != TR_I_GL_FRAMEBUFFER_COMPLETE)
         return tr_i_fail(&tr->desc, TR_TARGET_INCOMPLETE, "frame.framebuffer");
     tr->gl.GetIntegerv(TR_I_GL_SAMPLES, &samples);
-    return samples > 0 ? tr_i_fail(&tr->desc, TR_TARGET_MULTISAMPLED, "frame.framebuffer") : TR_OK;
+    *multisampled = samples > 0;
+    return TR_OK;
 }
 
 /* By its bits: comparisons with NaN are what -ffast-math takes away. */
@@ -2281,22 +3027,38 @@ static int tr_i_all_finite(const float *numbers, int count) {
 }
 
 static tr_result tr_i_check_frame(const tr_context *tr, const tr_frame *frame) {
+    int texels = frame->wishes.supersample ? (int)frame->wishes.supersample : 1;
     if (!tr_i_all_finite(&frame->opaque_weight, 1) || !tr_i_all_finite(&frame->background_weight, 1) ||
         !tr_i_all_finite(&frame->line_tolerance, 1) || !tr_i_all_finite(frame->light, 3) ||
         !tr_i_all_finite(frame->cool, 4) || !tr_i_all_finite(frame->warm, 4) ||
-        !tr_i_all_finite(frame->crease_color, 3) || !tr_i_all_finite(frame->outline_color, 3))
+        !tr_i_all_finite(frame->crease_color, 3) || !tr_i_all_finite(frame->outline_color, 3) ||
+        !tr_i_all_finite(frame->blend_color, 3) || !tr_i_all_finite(&frame->group_distance, 1) ||
+        !tr_i_all_finite(frame->projection, 16) || !tr_i_all_finite(frame->jitter, 2))
         return tr_i_fail(&tr->desc, TR_INVALID_ARGUMENT, "a number of the frame is not finite");
+    /* Without a projection every depth is the same distance off. */
+    if (frame->group_distance > 0.0f &&
+        frame->projection[10] * frame->projection[15] == frame->projection[11] * frame->projection[14])
+        return tr_i_fail(&tr->desc, TR_INVALID_ARGUMENT, "frame.group_distance needs frame.projection");
     if (frame->width < 0 || frame->height < 0)
         return tr_i_fail(&tr->desc, TR_INVALID_ARGUMENT, "frame.width or frame.height is negative");
-    if (frame->width > tr->max_width || frame->height > tr->max_height)
+    if (frame->width > tr->max_width / texels || frame->height > tr->max_height / texels)
         return tr_i_fail(&tr->desc, TR_TOO_LARGE, "frame.width or frame.height");
     return TR_OK;
+}
+
+/* A multisampled target is served by textures of our own with 2 by 2 texels a pixel, if they may be that large. */
+static void tr_i_suit_target(tr_context *tr, int multisampled) {
+    if (!multisampled || tr->frame.wishes.supersample || tr->frame.width > tr->max_width / 2 ||
+        tr->frame.height > tr->max_height / 2)
+        return;
+    tr->frame.wishes.supersample = 2;
+    tr_plan_make(&tr->frame.scene, &tr->frame.wishes, &tr->plan);
 }
 
 TR_I_API tr_result tr_begin(tr_context *tr, const tr_frame *frame) {
     tr_i_block block;
     tr_result result;
-    int work;
+    int work = 1, multisampled = 0, none;
     if (!tr || !frame)
         return TR_INVALID_ARGUMENT;
     if (tr->in_frame)
@@ -2306,21 +3068,24 @@ TR_I_API tr_result tr_begin(tr_context *tr, const tr_frame *frame) {
         return result;
     result = tr_plan_make(&frame->scene, &frame->wishes, &tr->plan);
     if (result != TR_OK)
-        return tr_i_fail(&tr->desc, result, "frame.wishes");
+        return tr_i_fail(&tr->desc, result, "frame.wishes, or an id or group in frame.scene");
     if (frame->width == 0 || frame->height == 0)
         memset(&tr->plan, 0, sizeof tr->plan);
     tr->frame = *frame;
     tr->next_pass = 0;
     if (tr->plan.pass_count > 0) {
-        tr_i_fill_block(frame, &block);
-        work = tr_i_needs_work(tr, &block);
-        if (work || tr->desc.state != TR_STATE_NONE)
+        tr_i_fill_block(frame, tr->desc.zero_to_one, &block);
+        none = tr->desc.state == TR_STATE_NONE;
+        if (none)
+            work = tr_i_needs_work(tr, &block);
+        if (work || !none)
             tr_i_save(tr, &tr->saved);
-        if (tr->desc.state != TR_STATE_NONE)
-            result = tr_i_check_target(tr);
-        if (result == TR_OK && work)
+        if (!none)
+            result = tr_i_check_target(tr, &multisampled);
+        tr_i_suit_target(tr, multisampled);
+        if (result == TR_OK && tr_i_needs_work(tr, &block))
             result = tr_i_work(tr, &block);
-        if (result != TR_OK || (work && tr->desc.state == TR_STATE_NONE))
+        if (result != TR_OK || (work && none))
             tr_i_restore(tr, &tr->saved);
     }
     tr->in_frame = result == TR_OK;
@@ -2328,68 +3093,99 @@ TR_I_API tr_result tr_begin(tr_context *tr, const tr_frame *frame) {
 }
 
 /* Which textures a pass reads: bits of the units. */
-static uint32_t tr_i_reads(const tr_plan_pass *pass, uint32_t textures) {
-    uint32_t reads = 0;
+static uint32_t tr_i_reads(const tr_plan_pass *pass, const tr_plan *plan) {
+    const uint32_t front = 1u << TR_I_FRONT_DEPTH, odd = 1u << TR_I_ODD_DEPTH, owner = 1u << TR_I_FRONT_OWNER;
+    const uint32_t behind = 1u << TR_I_SCENE_DEPTH, mark = 1u << TR_I_MARK, color = 1u << TR_I_LAYER_COLOR;
+    switch (pass->rule) {
+    case TR_RULE_PEEL_GROUP:
+        return front | owner | mark;
+    case TR_RULE_LAYER_GROUP:
+        return front | odd | mark;
+    case TR_RULE_LIMIT:
+    case TR_RULE_LIMIT_SHEET:
+        return front | owner;
+    case TR_RULE_LIMIT_MARKED:
+    case TR_RULE_LIMIT_MARKED_SHEET:
+        return front | odd | owner | mark;
+    case TR_RULE_PEEL:
+    case TR_RULE_PEEL_ALONE:
+    case TR_RULE_LAYER:
+    case TR_RULE_LAYER_MARKED:
+    case TR_RULE_LIMIT_BEHIND:
+        return front;
+    default:
+        break;
+    }
     switch (pass->kind) {
-    case TR_PASS_OWNER:
-        return 1u << TR_I_FRONT_DEPTH;
-    case TR_PASS_LIMIT:
-    case TR_PASS_BLENDED:
-        if (pass->rule != TR_RULE_FRONT)
-            reads = 1u << TR_I_FRONT_DEPTH;
-        if (pass->rule != TR_RULE_FRONT && pass->rule != TR_RULE_LIMIT_BEHIND && pass->rule != TR_RULE_BLENDED_ALONE)
-            reads |= 1u << TR_I_FRONT_OWNER;
-        return reads;
     case TR_PASS_COPY_DEPTH:
     case TR_PASS_OPAQUE_LINES:
+        return behind;
     case TR_PASS_TRANSPARENT_LINES:
-        return 1u << TR_I_SCENE_DEPTH;
+    case TR_PASS_HIDDEN_LINES:
+    case TR_PASS_OUTER_LINES:
+        return front | behind;
     case TR_PASS_COMPOSE:
-        reads =
-            (1u << TR_I_FRONT_DEPTH) | (1u << TR_I_SCENE_DEPTH) | (1u << TR_I_OPAQUE_COLOR) | (1u << TR_I_LAYER_COLOR);
-        return reads & textures;
+        return front | odd | behind | 1u << TR_I_OPAQUE_COLOR | color | (plan->grouped ? owner : 0u);
     default:
         return 0;
     }
 }
 
-static int tr_i_fbo_of(tr_pass_kind kind) {
-    switch (kind) {
-    case TR_PASS_FRONT:
-        return TR_I_FBO_FRONT;
-    case TR_PASS_OWNER:
-        return TR_I_FBO_OWNER;
-    case TR_PASS_LIMIT:
-        return TR_I_FBO_LIMIT;
-    case TR_PASS_OPAQUE:
-    case TR_PASS_OPAQUE_LINES:
-        return TR_I_FBO_OPAQUE;
-    case TR_PASS_COPY_DEPTH:
-        return TR_I_FBO_COPY;
-    case TR_PASS_BLENDED:
-        return TR_I_FBO_LAYER;
-    default:
-        return -1; /* the host's target */
+/* The layer whose copy of the block a pass reads. */
+static int tr_i_step_of(const tr_plan_pass *pass, const tr_plan *plan) {
+    return pass->kind == TR_PASS_PEEL    ? pass->layer - 1
+           : pass->kind == TR_PASS_LAYER ? pass->layer
+           : pass->kind == TR_PASS_LIMIT ? plan->layers - 1
+                                         : 0;
+}
+
+/* Passes that read one layer find it on the first unit whatever its number; one that reads the layer before as well finds
+   that on the second. */
+static void tr_i_turn_layers(const tr_plan_pass *pass, const tr_plan *plan, tr_state *state) {
+    int marked = pass->rule == TR_RULE_LIMIT_MARKED || pass->rule == TR_RULE_LIMIT_MARKED_SHEET;
+    int odd = tr_i_step_of(pass, plan) & 1;
+    uint32_t even = state->textures[TR_I_FRONT_DEPTH];
+    if (!odd || marked)
+        return;
+    state->textures[TR_I_FRONT_DEPTH] = state->textures[TR_I_ODD_DEPTH];
+    state->textures[TR_I_ODD_DEPTH] = even;
+}
+
+static void tr_i_fill_textures(const tr_context *tr, const tr_plan_pass *pass, tr_state *state) {
+    const uint32_t depths = (1u << TR_I_FRONT_DEPTH) | (1u << TR_I_ODD_DEPTH);
+    uint32_t reads = tr_i_reads(pass, &tr->plan) & tr->plan.textures;
+    int turned = pass->kind == TR_PASS_PEEL || pass->kind == TR_PASS_LAYER || pass->kind == TR_PASS_LIMIT, i;
+    for (i = 0; i < TR_TEXTURE_UNITS; ++i) {
+        state->texture_targets[i] = tr_i_targets[i];
+        state->textures[i] = ((reads | (turned ? depths & tr->plan.textures : 0u)) >> i) & 1u ? tr->textures[i] : 0;
     }
+    if (turned) {
+        tr_i_turn_layers(pass, &tr->plan, state);
+        for (i = 0; i <= TR_I_ODD_DEPTH; ++i)
+            if (!((tr_i_reads(pass, &tr->plan) >> i) & 1u))
+                state->textures[i] = 0;
+    }
+    /* Lines read depths without lines: their own have another name, and phantom lines are hidden by surfaces alone. */
+    if ((pass->kind == TR_PASS_OPAQUE_LINES || pass->kind == TR_PASS_HIDDEN_LINES) &&
+        (tr->plan.textures >> TR_I_DEPTH_COPY & 1u))
+        state->textures[TR_I_SCENE_DEPTH] = tr->textures[TR_I_DEPTH_COPY];
 }
 
 static void tr_i_fill_bindings(const tr_context *tr, const tr_plan_pass *pass, tr_state *state) {
-    uint32_t reads = tr_i_reads(pass, tr->plan.textures);
-    int fbo = tr_i_fbo_of(pass->kind);
-    int i;
-    state->framebuffer = fbo >= 0 ? tr->fbos[fbo] : tr->frame.framebuffer;
-    state->viewport[0] = fbo >= 0 ? 0 : tr->frame.x;
-    state->viewport[1] = fbo >= 0 ? 0 : tr->frame.y;
-    state->viewport[2] = tr->frame.width;
-    state->viewport[3] = tr->frame.height;
+    int fbo = tr_i_fbo_of(pass), own = fbo >= 0;
+    state->framebuffer = own ? tr->fbos[fbo] : tr->frame.framebuffer;
+    state->viewport[0] = own ? 0 : tr->frame.x;
+    state->viewport[1] = own ? 0 : tr->frame.y;
+    state->viewport[2] = own ? tr->width : tr->frame.width;
+    state->viewport[3] = own ? tr->height : tr->frame.height;
     state->program = tr->programs[tr_i_program_of(tr, pass)].name;
     state->first_texture_unit = tr->desc.first_texture_unit;
-    for (i = 0; i < TR_I_UNIT_COUNT; ++i)
-        state->textures[i] = (reads >> i) & 1u ? tr->textures[i] : 0;
-    if (pass->kind == TR_PASS_OPAQUE_LINES)
-        state->textures[TR_I_SCENE_DEPTH] = tr->textures[TR_I_DEPTH_COPY];
+    tr_i_fill_textures(tr, pass, state);
     state->uniform_buffer = tr->uniform_buffer;
     state->uniform_binding = tr->desc.uniform_binding;
+    state->uniform_offset = tr_i_step_of(pass, &tr->plan) * TR_I_STRIDE;
+    state->uniform_size = (int)sizeof(tr_i_block);
+    state->srgb = !own && (tr->frame.wishes.options & TR_WISH_SRGB);
     if (pass->kind == TR_PASS_COPY_DEPTH || pass->kind == TR_PASS_COMPOSE) {
         state->vertex_array = tr->vertex_array;
         state->vertex_count = 3;
@@ -2410,7 +3206,12 @@ static void tr_i_fill_tests(const tr_context *tr, const tr_plan_pass *pass, tr_s
     state->cull_face = pass->cull == 1 ? TR_I_GL_BACK : pass->cull == 2 ? TR_I_GL_FRONT : 0;
     state->front_face = tr->desc.front_face_cw ? TR_I_GL_CW : TR_I_GL_CCW;
     switch (pass->kind) {
-    case TR_PASS_OWNER: /* ids are not depths of the scene: lowest first whatever the convention */
+    case TR_PASS_FRONT:
+    case TR_PASS_PEEL:
+        state->color_write = tr_i_wants_color((int)pass->rule);
+        break;
+    case TR_PASS_LAYER: /* ids are not depths of the scene: lowest first whatever the convention */
+        state->color_write = 1;
         state->depth_func = TR_I_GL_LESS;
         state->clear_depth_value = 1.0f;
         break;
@@ -2419,10 +3220,6 @@ static void tr_i_fill_tests(const tr_context *tr, const tr_plan_pass *pass, tr_s
         break;
     case TR_PASS_OPAQUE:
         state->color_write = 1;
-        break;
-    case TR_PASS_BLENDED: /* where an opaque surface lies in the transparent one, the latter is seen, and it behind */
-        state->color_write = 1;
-        state->depth_func = not_farther;
         break;
     case TR_PASS_COMPOSE:
         state->color_write = 1;
@@ -2433,6 +3230,8 @@ static void tr_i_fill_tests(const tr_context *tr, const tr_plan_pass *pass, tr_s
         state->blend_destination_alpha = TR_I_GL_ONE;
         break;
     case TR_PASS_TRANSPARENT_LINES: /* ink, opaque; the blend function leaves the target's alpha alone */
+    case TR_PASS_HIDDEN_LINES:
+    case TR_PASS_OUTER_LINES:
         state->blend = 1;
         state->blend_source_alpha = TR_I_GL_ZERO;
         state->blend_destination_alpha = TR_I_GL_ONE;
@@ -2440,8 +3239,9 @@ static void tr_i_fill_tests(const tr_context *tr, const tr_plan_pass *pass, tr_s
     case TR_PASS_OPAQUE_LINES:
         state->color_write = 1;
         state->depth_func = not_farther;
-        /* Creases leave no depth: they lie within their surface, and outlines are to go over them. */
-        state->depth_write = pass->lines == TR_LINES_OUTLINES;
+        /* Creases leave no depth: they lie within their surface, and outlines are to go over them. Phantom lines are no
+           things at all. */
+        state->depth_write = pass->lines == TR_LINES_OUTLINES || pass->lines == TR_LINES_OUTER;
         break;
     default:
         break;
@@ -2467,6 +3267,7 @@ TR_I_API int tr_next_pass(tr_context *tr, tr_pass *pass) {
         pass->rule = plan->rule;
         pass->classes = plan->classes;
         pass->lines = plan->lines;
+        pass->layer = plan->layer;
         pass->name = tr_pass_kind_name(plan->kind);
         tr_i_fill_bindings(tr, plan, &pass->state);
         tr_i_fill_tests(tr, plan, &pass->state);
@@ -2494,7 +3295,7 @@ TR_I_API void tr_set_material(tr_context *tr, const tr_pass *pass, const tr_mate
     if (!tr || !pass || !material || (unsigned)pass->rule >= (unsigned)TR_RULE_COUNT || pass->lines)
         return;
     gl = &tr->gl;
-    program = &tr->programs[TR_I_PROGRAM_SURFACE + (int)pass->rule];
+    program = &tr->programs[pass->rule];
     gl->UniformMatrix4fv(program->model_view_projection, 1, 0, material->model_view_projection);
     if (program->normal_matrix >= 0)
         gl->UniformMatrix3fv(program->normal_matrix, 1, 0, material->normal_matrix);

@@ -6,7 +6,8 @@ out highp vec4 tr_v_line;                          // centre x, y, depth, slack
 
 void main()
 {
-    tr_v_line = vec4(tr_line_center, tr_line_corner.zw);
+    // Lines are found without the host's jitter, and shifted by as much as its surfaces are.
+    tr_v_line = vec4(tr_line_center + tr_shift.xy, tr_line_corner.zw);
     // Depth is written by the fragment stage, so the clip convention in force does not matter here.
-    gl_Position = vec4(2.0 * tr_line_corner.xy / tr_viewport.zw - 1.0, 0.0, 1.0);
+    gl_Position = vec4(2.0 * (tr_line_corner.xy + tr_shift.xy) / tr_viewport.zw - 1.0, 0.0, 1.0);
 }

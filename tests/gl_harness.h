@@ -144,7 +144,10 @@ static inline void harness_upload(harness_object *o, const float *distances) {
     const ref_object *t = &o->truth;
     const double *m = t->model;
     o->object.id = t->id;
-    o->object.flags = (t->transparent ? TR_TRANSPARENT : 0u) | (t->two_sided ? TR_TWO_SIDED : 0u);
+    o->object.flags = (t->transparent ? TR_TRANSPARENT : 0u) | (t->two_sided ? TR_TWO_SIDED : 0u) | TR_GROUP(t->group) |
+                      (t->method == 1   ? TR_IMPLICIT
+                       : t->method == 2 ? TR_EXPLICIT
+                                        : 0u);
     o->mirrored =
         m[0] * (m[5] * m[10] - m[6] * m[9]) - m[4] * (m[1] * m[10] - m[2] * m[9]) + m[8] * (m[1] * m[6] - m[2] * m[5]) <
         0;
@@ -221,14 +224,15 @@ typedef struct harness_options {
     const float *k;
     const GLuint *programs; /* the host's own, by rule, or NULL; then draw_own sets its uniforms */
     void (*set_own)(GLuint program, const tr_material *material);
-    int passes; /* out: how many passes asked for surfaces */
+    int passes;                      /* out: how many passes asked for surfaces */
+    void (*change)(tr_frame *frame); /* what the scene does not say, or NULL */
 } harness_options;
 
 static inline tr_frame harness_frame(const harness *h, const ref_scene *scene, const harness_object *objects,
                                      size_t count) {
     tr_frame frame = {0};
-    static const tr_interior interiors[3] = {TR_INTERIOR_IMPLICIT, TR_INTERIOR_IMPLICIT_PUBLISHED,
-                                             TR_INTERIOR_EXPLICIT};
+    static const tr_interior interiors[4] = {TR_INTERIOR_IMPLICIT, TR_INTERIOR_IMPLICIT_PUBLISHED, TR_INTERIOR_EXPLICIT,
+                                             TR_INTERIOR_LAYERS};
     static const tr_blending blendings[3] = {TR_BLENDING_PUBLISHED, TR_BLENDING_NORMALISED, TR_BLENDING_OVER};
     bool shaded = false;
     for (size_t i = 0; i < count; ++i)
@@ -239,11 +243,18 @@ static inline tr_frame harness_frame(const harness *h, const ref_scene *scene, c
     frame.scene = tr_scene_count(objects, count, sizeof objects[0]);
     frame.wishes.blending = blendings[scene->blending];
     frame.wishes.interior = interiors[scene->interior];
+    frame.wishes.layers = (uint32_t)scene->layers;
+    frame.wishes.options =
+        (scene->use_blend_color ? TR_WISH_BLEND_COLOR : 0u) | (scene->srgb ? (uint32_t)TR_WISH_SRGB : 0u);
+    frame.group_distance = (float)scene->group_distance;
+    for (int i = 0; i < 16; ++i)
+        frame.projection[i] = (float)scene->projection[i];
     frame.opaque_weight = scene->opaque_weight > 0 ? (float)scene->opaque_weight : -1.0f;
     frame.background_weight = scene->background_weight > 0 ? (float)scene->background_weight : -1.0f;
     frame.flat_shading = !shaded;
     for (int i = 0; i < 3; ++i) {
         frame.light[i] = (float)scene->light_direction[i];
+        frame.blend_color[i] = (float)scene->blend_color[i];
         frame.cool[i] = (float)scene->cool[i];
         frame.warm[i] = (float)scene->warm[i];
     }
@@ -269,6 +280,8 @@ static inline void harness_draw(harness *h, const ref_scene *scene, const harnes
     tr_pass pass;
     frame.x = options ? options->x : 0;
     frame.y = options ? options->y : 0;
+    if (options && options->change)
+        options->change(&frame);
     tr_result result = tr_begin(h->tr, &frame);
     if (result != TR_OK)
         fail_msg("tr_begin: %s", tr_result_string(result));
@@ -284,6 +297,7 @@ static inline void harness_draw(harness *h, const ref_scene *scene, const harnes
             if (!tr_pass_draws(&pass, &o->object))
                 continue;
             harness_material(scene, &o->truth, &material);
+            material.object = tr_object_code(&o->object, &frame.wishes);
             if (options && options->d_max) {
                 material.d_max = options->d_max[i];
                 material.k = options->k[i];
@@ -341,7 +355,7 @@ static inline void harness_check(harness *h, const char *name, const ref_scene *
                                  const unsigned char *pixels) {
     harness_error error = harness_compare(scene, truth, pixels);
     const tr_plan *plan = tr_get_info(h->tr).plan;
-    printf("    %-28s max %.2f/255, %4.1f %% left out, %zu blended, %zu seen through; passes:", name, error.max,
+    printf("    %-36s max %.2f/255, %4.1f %% left out, %zu blended, %zu seen through; passes:", name, error.max,
            100 * error.left_out, error.blended, error.seen_through);
     for (int i = 0; i < plan->pass_count; ++i)
         printf(" %s", tr_pass_kind_name(plan->passes[i].kind));

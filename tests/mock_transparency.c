@@ -30,7 +30,7 @@ static struct {
     const char *calls[MAX_CALLS];
     int call_count;
     uint32_t bound_framebuffer, program, vertex_array;
-    uint32_t attachments[256][2]; /* colour and depth texture of a framebuffer */
+    uint32_t attachments[256][3]; /* depth and two colour textures of a framebuffer */
     int active_unit;
     uint32_t unit_textures[32];
     unsigned char switched_off[0x10000]; /* by name of the switch */
@@ -76,7 +76,7 @@ static void discard(int kind, int32_t count, const uint32_t *names) {
 static void check_units(void) {
     const uint32_t *drawn = driver.attachments[driver.bound_framebuffer & 255];
     for (int unit = 0; unit < 32; ++unit)
-        for (int a = 0; a < 2; ++a)
+        for (int a = 0; a < 3; ++a)
             if (driver.bound_framebuffer && drawn[a])
                 assert_int_not_equal(driver.unit_textures[unit], drawn[a]);
 }
@@ -130,7 +130,9 @@ FAKE(DrawBuffers, (I a, const U *b), (void)a; (void)b;)
 FAKE(Enable, (U a), (void)a;)
 FAKE(Enablei, (U a, U b), (void)a; (void)b;)
 FAKE(FramebufferTexture2D, (U a, U b, U c, U d, I e), (void)a; (void)c; (void)e;
-     driver.attachments[driver.bound_framebuffer & 255][b == 0x8D00u] = d;)
+     driver.attachments[driver.bound_framebuffer & 255][b == 0x8D00u ? 0 : b - 0x8CDFu] = d;)
+FAKE(FramebufferTextureLayer, (U a, U b, U c, I d, I e), (void)a; (void)d; (void)e;
+     driver.attachments[driver.bound_framebuffer & 255][b == 0x8D00u ? 0 : b - 0x8CDFu] = c;)
 FAKE(FrontFace, (U a), (void)a;)
 FAKE(GenBuffers, (I a, U *b), generate(BUFFERS, a, b);)
 FAKE(GenFramebuffers, (I a, U *b), generate(FRAMEBUFFERS, a, b);)
@@ -151,6 +153,8 @@ FAKE(ReadBuffer, (U a), (void)a;)
 FAKE(ShaderSource, (U a, I b, const char *const *c, const I *d), (void)a; (void)b; (void)c; (void)d;)
 FAKE(TexImage2D, (U a, I b, I c, I d, I e, I f, U g, U h, const void *i), (void)a; (void)b; (void)c; (void)d; (void)e;
      (void)f; (void)g; (void)h; (void)i;)
+FAKE(TexImage3D, (U a, I b, I c, I d, I e, I f, I g, U h, U i, const void *j), (void)a; (void)b; (void)c; (void)d;
+     (void)e; (void)f; (void)g; (void)h; (void)i; (void)j;)
 FAKE(TexParameteri, (U a, U b, I c), (void)a; (void)b; (void)c;)
 FAKE(Uniform1i, (I a, I b), (void)a; (void)b;)
 FAKE(Uniform1ui, (I a, U b), (void)a; (void)b;)
@@ -461,9 +465,10 @@ static void test_failing_shaders_are_reported(void **state) {
 
 static void test_failing_framebuffers_leave_nothing(void **state) {
     (void)state;
-    for (int n = 1; n <= 7; ++n) { /* the target's check, then six of our own */
+    for (int n = 1; n <= 8; ++n) { /* the target's check, then seven of our own */
         tr_desc desc = make_desc(TR_STATE_RESTORE);
         tr_frame frame = make_frame(1, 2);
+        frame.scene.group_size = 2;
         reset_driver();
         tr_context *tr = tr_create(&desc, NULL);
         driver.fail_framebuffer = n;
@@ -508,8 +513,33 @@ static void test_bad_frames(void **state) {
     frame.wishes.blending = (tr_blending)3;
     assert_int_equal(tr_begin(tr, &frame), TR_INVALID_ARGUMENT);
     frame = make_frame(1, 1);
-    driver.samples = 4;
-    assert_int_equal(tr_begin(tr, &frame), TR_TARGET_MULTISAMPLED);
+    frame.group_distance = 1; /* distances of what projection? */
+    assert_int_equal(tr_begin(tr, &frame), TR_INVALID_ARGUMENT);
+    frame.group_distance = NAN;
+    assert_int_equal(tr_begin(tr, &frame), TR_INVALID_ARGUMENT);
+    frame = make_frame(1, 1);
+    frame.projection[5] = INFINITY;
+    assert_int_equal(tr_begin(tr, &frame), TR_INVALID_ARGUMENT);
+    frame = make_frame(1, 1);
+    frame.jitter[1] = NAN;
+    assert_int_equal(tr_begin(tr, &frame), TR_INVALID_ARGUMENT);
+    frame = make_frame(1, 1);
+    frame.blend_color[2] = NAN;
+    assert_int_equal(tr_begin(tr, &frame), TR_INVALID_ARGUMENT);
+    frame = make_frame(1, 1);
+    frame.width = 8192;
+    frame.wishes.supersample = 3; /* 24576 texels */
+    assert_int_equal(tr_begin(tr, &frame), TR_TOO_LARGE);
+    frame = make_frame(1, 1);
+    driver.samples = 4; /* served by textures twice as large, if they may be */
+    assert_int_equal(tr_begin(tr, &frame), TR_OK);
+    assert_int_equal(tr_get_info(tr).plan->supersample, 2);
+    assert_int_equal(tr_end(tr), TR_OK);
+    frame.width = 16000;
+    assert_int_equal(tr_begin(tr, &frame), TR_OK);
+    assert_int_equal(tr_get_info(tr).plan->supersample, 1);
+    assert_int_equal(tr_end(tr), TR_OK);
+    frame = make_frame(1, 1);
     driver.samples = 0;
     frame.width = 0; /* no area: no pass, no error, no call into GL */
     int before = driver.call_count;
@@ -609,12 +639,16 @@ static void test_passes_switch_off(void **state) {
 /* No pass reads a texture that it draws into. */
 static void test_no_pass_reads_what_it_draws(void **state) {
     (void)state;
-    for (int variant = 0; variant < 72; ++variant) {
-        tr_desc desc = make_desc(variant < 36 ? TR_STATE_NONE : TR_STATE_RESTORE);
+    for (int variant = 0; variant < 240; ++variant) {
+        tr_desc desc = make_desc(variant < 120 ? TR_STATE_NONE : TR_STATE_RESTORE);
         tr_frame frame = make_frame((uint32_t)variant % 2, (uint32_t)variant / 2 % 3);
         tr_pass pass;
         frame.scene.transparent_two_sided = (uint32_t)variant / 6 % 2;
-        frame.wishes.interior = (tr_interior)(variant / 12 % 3);
+        frame.wishes.interior = (tr_interior)(variant / 12 % 5);
+        frame.wishes.layers = frame.wishes.interior == TR_INTERIOR_LAYERS ? 5 : 0;
+        frame.wishes.lines = 15;
+        if (variant / 60 % 2)
+            frame.scene.group_size = frame.scene.transparent + frame.scene.transparent_two_sided;
         reset_driver();
         tr_context *tr = tr_create(&desc, NULL);
         assert_int_equal(tr_begin(tr, &frame), TR_OK);
@@ -622,11 +656,15 @@ static void test_no_pass_reads_what_it_draws(void **state) {
         while (tr_next_pass(tr, &pass)) {
             if (desc.state == TR_STATE_RESTORE)
                 check_units();
-            int fbo = tr_i_fbo_of(pass.kind);
-            for (int unit = 0; fbo >= 0 && unit < TR_I_UNIT_COUNT; ++unit)
-                for (int a = 0; a < 2; ++a)
-                    if (tr_i_attachments[fbo][a] >= 0 && pass.state.textures[unit])
-                        assert_int_not_equal(pass.state.textures[unit], tr->textures[tr_i_attachments[fbo][a]]);
+            tr_i_attachment drawn[3];
+            int fbo = tr_i_fbo_of(&tr->plan.passes[tr->next_pass - 1]);
+            if (fbo < 0)
+                continue;
+            tr_i_attachments_of(fbo, drawn);
+            for (int unit = 0; unit < TR_TEXTURE_UNITS; ++unit)
+                for (int a = 0; a < 3; ++a)
+                    if (drawn[a].texture >= 0 && pass.state.textures[unit])
+                        assert_int_not_equal(pass.state.textures[unit], tr->textures[drawn[a].texture]);
         }
         assert_int_equal(tr_end(tr), TR_OK);
         tr_destroy(tr);
@@ -644,7 +682,7 @@ static void test_resizing_leaks_nothing(void **state) {
         frame.width = 1 + i % 7;
         driver.call_count = 0;
         run_frame(tr, &frame);
-        assert_true(driver.live[TEXTURES] <= 6);
+        assert_true(driver.live[TEXTURES] <= 7);
     }
     tr_frame frame = make_frame(1, 1);
     assert_int_equal(tr_begin(tr, &frame), TR_OK);
@@ -669,8 +707,8 @@ static int count_kind(const tr_plan *plan, tr_pass_kind kind) {
 
 /* What is not in the scene or not wished costs no pass and no byte. */
 static void test_plans_hold_only_what_is_needed(void **state) {
-    tr_scene scene = {0, 0, 0, 0};
-    tr_wishes wishes = {TR_INTERIOR_IMPLICIT, TR_BLENDING_OVER, 0};
+    tr_scene scene = {0};
+    tr_wishes wishes = {0};
     tr_plan plan;
     (void)state;
     assert_int_equal(tr_plan_make(&scene, &wishes, &plan), TR_OK);
@@ -682,12 +720,12 @@ static void test_plans_hold_only_what_is_needed(void **state) {
     assert_int_equal(plan.bytes_per_pixel, 8);
     scene.transparent = 1;
     tr_plan_make(&scene, &wishes, &plan);
-    assert_int_equal(count_kind(&plan, TR_PASS_OWNER), 0); /* alone: nobody to tie with */
+    assert_int_equal(count_kind(&plan, TR_PASS_LAYER), 0); /* alone: nobody to tie with */
     assert_int_equal(count_kind(&plan, TR_PASS_LIMIT), 1);
     assert_int_equal(plan.bytes_per_pixel, 16);
     scene.transparent = 2;
     tr_plan_make(&scene, &wishes, &plan);
-    assert_int_equal(count_kind(&plan, TR_PASS_OWNER), 1);
+    assert_int_equal(count_kind(&plan, TR_PASS_LAYER), 1);
     assert_int_equal(plan.bytes_per_pixel, 20);
     wishes.lines = TR_LINES_OUTLINES;
     tr_plan_make(&scene, &wishes, &plan);
@@ -704,14 +742,23 @@ static void test_plans_hold_only_what_is_needed(void **state) {
 }
 
 static void test_largest_plan_fits(void **state) {
-    tr_scene scene = {UINT32_MAX, UINT32_MAX, UINT32_MAX, UINT32_MAX};
+    tr_scene scene = {0};
+    scene.opaque = scene.opaque_two_sided = scene.transparent = scene.transparent_two_sided = UINT32_MAX;
     tr_plan plan;
     (void)state;
-    for (int interior = 0; interior < 3; ++interior) {
-        tr_wishes wishes = {(tr_interior)interior, TR_BLENDING_OVER, TR_LINES_CREASES | TR_LINES_OUTLINES};
+    for (int interior = 0; interior < 5; ++interior) {
+        tr_wishes wishes = {0};
+        wishes.interior = (tr_interior)interior;
+        wishes.lines = 15;
+        wishes.layers = TR_MAX_LAYERS;
+        scene.group_size = interior % 2 ? 0 : UINT32_MAX;
         assert_int_equal(tr_plan_make(&scene, &wishes, &plan), TR_OK);
         assert_true(plan.pass_count <= TR_MAX_PASSES);
-        assert_true(count_kind(&plan, TR_PASS_OWNER) == 2);
+        assert_int_equal(plan.layers, interior == TR_INTERIOR_LAYERS || scene.group_size > 1 ? TR_MAX_LAYERS : 1);
+        if (interior == TR_INTERIOR_IMPLICIT_PUBLISHED)
+            assert_int_equal(count_kind(&plan, TR_PASS_LAYER), 2);
+        else
+            assert_int_equal(count_kind(&plan, TR_PASS_LAYER), 2 * plan.layers);
         uint32_t bytes = 0;
         for (int i = 0; i < plan.pass_count; ++i) {
             assert_non_null(plan.passes[i].why);
@@ -720,13 +767,202 @@ static void test_largest_plan_fits(void **state) {
         assert_int_equal(bytes, plan.bytes_per_pixel);
     }
     assert_int_equal(tr_plan_make(NULL, NULL, &plan), TR_INVALID_ARGUMENT);
-    tr_wishes bad = {TR_INTERIOR_IMPLICIT, TR_BLENDING_OVER, 4};
-    assert_int_equal(tr_plan_make(&scene, &bad, &plan), TR_INVALID_ARGUMENT);
+}
+
+/* ---- modes: passes, GL calls of a steady frame, bytes a pixel; as in docs/transparency.md ---- */
+
+typedef struct mode {
+    const char *name;
+    uint32_t opaque, transparent, sheets, group, explicit_asked;
+    tr_interior interior;
+    uint32_t layers, lines, supersample;
+    int passes, calls;
+    uint32_t bytes;
+} mode;
+
+static const mode modes[] = {
+    {"opaque alone", 3, 0, 0, 0, 0, TR_INTERIOR_IMPLICIT, 0, 0, 0, 2, 291, 8},
+    {"one object, implicit", 3, 1, 0, 0, 0, TR_INTERIOR_IMPLICIT, 0, 0, 0, 4, 424, 16},
+    {"one object, explicit", 3, 1, 0, 0, 0, TR_INTERIOR_EXPLICIT, 0, 0, 0, 4, 424, 16},
+    {"implicit", 3, 4, 0, 0, 0, TR_INTERIOR_IMPLICIT, 0, 0, 0, 5, 491, 20},
+    {"as published", 3, 4, 0, 0, 0, TR_INTERIOR_IMPLICIT_PUBLISHED, 0, 0, 0, 5, 491, 20},
+    {"explicit", 3, 4, 0, 0, 0, TR_INTERIOR_EXPLICIT, 0, 0, 0, 5, 491, 20},
+    {"mixed", 3, 4, 0, 0, 2, TR_INTERIOR_IMPLICIT, 0, 0, 0, 5, 491, 21},
+    {"with sheets", 3, 4, 2, 0, 0, TR_INTERIOR_IMPLICIT, 0, 0, 0, 8, 689, 20},
+    {"nothing opaque", 0, 4, 0, 0, 0, TR_INTERIOR_IMPLICIT, 0, 0, 0, 3, 357, 12},
+    {"one object, layers(4)", 3, 1, 0, 0, 0, TR_INTERIOR_LAYERS, 4, 0, 0, 7, 625, 40},
+    {"layers(1)", 3, 4, 0, 0, 0, TR_INTERIOR_LAYERS, 1, 0, 0, 5, 491, 20},
+    {"layers(2)", 3, 4, 0, 0, 0, TR_INTERIOR_LAYERS, 2, 0, 0, 7, 625, 28},
+    {"layers(4)", 3, 4, 0, 0, 0, TR_INTERIOR_LAYERS, 4, 0, 0, 11, 893, 44},
+    {"layers(8)", 3, 9, 0, 0, 0, TR_INTERIOR_LAYERS, 8, 0, 0, 19, 1429, 76},
+    {"groups of 2", 3, 4, 0, 2, 0, TR_INTERIOR_IMPLICIT, 0, 0, 0, 7, 625, 33},
+    {"groups of 4", 3, 4, 0, 4, 0, TR_INTERIOR_IMPLICIT, 0, 0, 0, 11, 893, 57},
+    {"groups of 4, mixed", 3, 4, 0, 4, 2, TR_INTERIOR_IMPLICIT, 0, 0, 0, 11, 893, 57},
+    {"groups of 9, 3 shown", 3, 9, 0, 9, 0, TR_INTERIOR_IMPLICIT, 3, 0, 0, 9, 759, 45},
+    {"creases and outlines", 3, 4, 0, 0, 0, TR_INTERIOR_IMPLICIT, 0, 3, 0, 10, 825, 24},
+    {"all lines", 3, 4, 0, 0, 0, TR_INTERIOR_IMPLICIT, 0, 15, 0, 13, 1023, 24},
+    {"phantom lines alone", 3, 4, 0, 0, 0, TR_INTERIOR_IMPLICIT, 0, 4, 0, 7, 623, 20},
+    {"2 by 2 texels", 3, 4, 0, 0, 0, TR_INTERIOR_IMPLICIT, 0, 0, 2, 5, 491, 80},
+};
+
+static void test_modes(void **state) {
+    (void)state;
+    printf("    mode                       passes  calls  bytes a pixel\n");
+    for (size_t i = 0; i < sizeof modes / sizeof modes[0]; ++i) {
+        const mode *m = &modes[i];
+        tr_desc desc = make_desc(TR_STATE_RESTORE);
+        tr_frame frame = make_frame(m->opaque, m->transparent);
+        frame.scene.transparent_two_sided = m->sheets;
+        frame.scene.group_size = m->group;
+        frame.scene.explicit_asked = m->explicit_asked;
+        frame.wishes.interior = m->interior;
+        frame.wishes.layers = m->layers;
+        frame.wishes.lines = m->lines;
+        frame.wishes.supersample = m->supersample;
+        reset_driver();
+        tr_context *tr = tr_create(&desc, NULL);
+        run_frame(tr, &frame);
+        int before = driver.call_count;
+        run_frame(tr, &frame);
+        int calls = driver.call_count - before;
+        const tr_plan *plan = tr_get_info(tr).plan;
+        printf("    %-26s %6d %6d %6u\n", m->name, plan->pass_count, calls, (unsigned)plan->bytes_per_pixel);
+        assert_int_equal(plan->pass_count, m->passes);
+        assert_int_equal(plan->bytes_per_pixel, m->bytes);
+        assert_int_equal(tr_get_info(tr).bytes, 64 * 32 * plan->bytes_per_pixel);
+        assert_int_equal(calls, m->calls);
+        tr_destroy(tr);
+        assert_nothing_left();
+    }
+}
+
+/* What is decided from facts, object by object, and what overrules it. */
+static void test_methods_by_object(void **state) {
+    static const struct {
+        uint32_t flags;
+        tr_interior interior;
+        int is_explicit;
+    } cases[] = {
+        {TR_TRANSPARENT, TR_INTERIOR_IMPLICIT, 0},
+        {TR_TRANSPARENT, TR_INTERIOR_EXPLICIT, 1},
+        {TR_TRANSPARENT | TR_EXPLICIT, TR_INTERIOR_IMPLICIT, 1},
+        {TR_TRANSPARENT | TR_IMPLICIT, TR_INTERIOR_EXPLICIT, 0},
+        {TR_TRANSPARENT, TR_INTERIOR_AUTO, 1},
+        {TR_TRANSPARENT | TR_CLOSED, TR_INTERIOR_AUTO, 1},
+        {TR_TRANSPARENT | TR_HOLDING, TR_INTERIOR_AUTO, 1},
+        {TR_TRANSPARENT | TR_CLOSED | TR_HOLDING, TR_INTERIOR_AUTO, 0},
+        {TR_TRANSPARENT | TR_CLOSED | TR_HOLDING | TR_EXPLICIT, TR_INTERIOR_AUTO, 1},
+        {TR_TRANSPARENT | TR_CLOSED | TR_HOLDING, TR_INTERIOR_EXPLICIT, 1},
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
+        tr_object objects[3] = {{7, 0}, {1, TR_OPAQUE}, {9, TR_TRANSPARENT | TR_IMPLICIT}};
+        tr_wishes wishes = {0};
+        tr_plan plan;
+        char text[2048];
+        objects[0].flags = cases[i].flags | TR_GROUP(5);
+        wishes.interior = cases[i].interior;
+        assert_int_equal(tr_object_code(&objects[0], &wishes),
+                         7u | 5u << 24 | (cases[i].is_explicit ? 0x80000000u : 0u));
+        tr_scene alone = tr_scene_count(objects, 2, sizeof objects[0]);
+        assert_int_equal(tr_plan_make(&alone, &wishes, &plan), TR_OK);
+        assert_int_equal(plan.interior, cases[i].is_explicit ? TR_INTERIOR_EXPLICIT : TR_INTERIOR_IMPLICIT);
+        assert_false(plan.mixed);
+        tr_plan_print(&plan, text, sizeof text);
+        assert_non_null(strstr(text, cases[i].is_explicit ? "explicit interiors" : "implicit interiors"));
+        if (cases[i].interior == TR_INTERIOR_AUTO && !(cases[i].flags & TR_EXPLICIT))
+            assert_non_null(strstr(text, "chosen: "));
+        tr_scene both = tr_scene_count(objects, 3, sizeof objects[0]);
+        assert_int_equal(tr_plan_make(&both, &wishes, &plan), TR_OK);
+        assert_int_equal(plan.mixed, cases[i].is_explicit);
+    }
+    assert_int_equal(tr_object_code(NULL, NULL), 0);
+}
+
+static void test_groups_are_counted(void **state) {
+    tr_object objects[] = {{1, TR_TRANSPARENT | TR_GROUP(1)},
+                           {2, TR_TRANSPARENT | TR_GROUP(127)},
+                           {3, TR_TRANSPARENT | TR_GROUP(127)},
+                           {4, TR_OPAQUE | TR_GROUP(127)},
+                           {5, TR_TRANSPARENT},
+                           {6, TR_TRANSPARENT}};
+    (void)state;
+    assert_int_equal(tr_scene_count(objects, 6, sizeof objects[0]).group_size, 2); /* neither opaque ones nor group 0 */
+    assert_int_equal(tr_scene_count(objects, 1, sizeof objects[0]).group_size, 1);
+    tr_wishes wishes = {0};
+    tr_plan plan;
+    tr_scene counts = tr_scene_count(objects, 6, sizeof objects[0]);
+    assert_int_equal(tr_plan_make(&counts, &wishes, &plan), TR_OK);
+    assert_true(plan.grouped && plan.layers == 2);
+    wishes.layers = 1; /* one shown: no group */
+    assert_int_equal(tr_plan_make(&counts, &wishes, &plan), TR_OK);
+    assert_true(!plan.grouped && plan.layers == 1);
+    wishes.interior = TR_INTERIOR_IMPLICIT_PUBLISHED;
+    wishes.layers = 0;
+    assert_int_equal(tr_plan_make(&counts, &wishes, &plan), TR_OK);
+    assert_true(!plan.grouped && plan.layers == 1);
+}
+
+static void test_bad_scenes_and_wishes(void **state) {
+    static const tr_object bad_objects[] = {
+        {0xffffffu, TR_TRANSPARENT},         {0xffffffffu, TR_TRANSPARENT},
+        {1, TR_TRANSPARENT | TR_GROUP(128)}, {1, TR_TRANSPARENT | TR_GROUP(300)},
+        {1, TR_TRANSPARENT | 64u},           {1, TR_TRANSPARENT | TR_IMPLICIT | TR_EXPLICIT}};
+    static const tr_wishes bad_wishes[] = {
+        {TR_INTERIOR_LAYERS, TR_BLENDING_OVER, 0, 0, 0, 0},   {TR_INTERIOR_LAYERS, TR_BLENDING_OVER, 0, 9, 0, 0},
+        {TR_INTERIOR_IMPLICIT, TR_BLENDING_OVER, 0, 9, 0, 0}, {(tr_interior)5, TR_BLENDING_OVER, 0, 0, 0, 0},
+        {TR_INTERIOR_IMPLICIT, (tr_blending)3, 0, 0, 0, 0},   {TR_INTERIOR_IMPLICIT, TR_BLENDING_OVER, 16, 0, 0, 0},
+        {TR_INTERIOR_IMPLICIT, TR_BLENDING_OVER, 0, 0, 4, 0}, {TR_INTERIOR_IMPLICIT, TR_BLENDING_OVER, 0, 0, 0, 5}};
+    static const tr_object good[] = {{0xfffffeu, TR_TRANSPARENT | TR_GROUP(127)}, {0xffffffffu, TR_OPAQUE}};
+    tr_wishes wishes = {0};
+    tr_plan plan;
+    (void)state;
+    tr_scene counts = tr_scene_count(good, 2, sizeof good[0]);
+    assert_int_equal(tr_plan_make(&counts, &wishes, &plan), TR_OK);
+    for (size_t i = 0; i < sizeof bad_wishes / sizeof bad_wishes[0]; ++i)
+        assert_int_equal(tr_plan_make(&counts, &bad_wishes[i], &plan), TR_INVALID_ARGUMENT);
+    for (size_t i = 0; i < sizeof bad_objects / sizeof bad_objects[0]; ++i) {
+        counts = tr_scene_count(&bad_objects[i], 1, sizeof bad_objects[0]);
+        assert_int_equal(counts.invalid, 1);
+        assert_int_equal(tr_plan_make(&counts, &wishes, &plan), TR_INVALID_ARGUMENT);
+    }
+    tr_scene absurd = {0}; /* more of a kind than there are */
+    absurd.transparent = 1;
+    absurd.implicit_asked = 2;
+    assert_int_equal(tr_plan_make(&absurd, &wishes, &plan), TR_INVALID_ARGUMENT);
+    absurd.implicit_asked = 0;
+    absurd.group_size = 2;
+    assert_int_equal(tr_plan_make(&absurd, &wishes, &plan), TR_INVALID_ARGUMENT);
+}
+
+/* More variants than are kept: the oldest go, none leaks, and what is in use stays. */
+static void test_many_modes_on_one_context(void **state) {
+    tr_desc desc = make_desc(TR_STATE_RESTORE);
+    (void)state;
+    reset_driver();
+    tr_context *tr = tr_create(&desc, NULL);
+    for (uint32_t i = 0; i < 200; ++i) {
+        tr_frame frame = make_frame(i % 2, 1 + i % 3);
+        driver.call_count = 0;
+        frame.wishes.interior = i % 5 == 4 ? TR_INTERIOR_LAYERS : (tr_interior)(i % 4);
+        frame.wishes.layers = i % 5 == 4 ? 1 + i % TR_MAX_LAYERS : 0;
+        frame.wishes.blending = (tr_blending)(i / 3 % 3);
+        frame.wishes.options = i / 7 % 4;
+        frame.wishes.supersample = i / 11 % 5;
+        frame.wishes.lines = i % 16;
+        run_frame(tr, &frame);
+        assert_true(driver.live[PROGRAMS] <= TR_I_PROGRAM_COUNT);
+    }
+    tr_destroy(tr);
+    assert_nothing_left();
 }
 
 static void test_plan_prints_like_snprintf(void **state) {
-    tr_scene scene = {1, 0, 2, 0};
-    tr_wishes wishes = {TR_INTERIOR_IMPLICIT, TR_BLENDING_OVER, TR_LINES_OUTLINES};
+    tr_scene scene = {0};
+    scene.opaque = 1;
+    scene.transparent = 2;
+    tr_wishes wishes = {0};
+    wishes.lines = TR_LINES_OUTLINES;
     tr_plan plan;
     char whole[2048], part[40];
     (void)state;
@@ -734,7 +970,7 @@ static void test_plan_prints_like_snprintf(void **state) {
     size_t needed = tr_plan_print(&plan, NULL, 0);
     assert_int_equal(tr_plan_print(&plan, whole, sizeof whole), needed);
     assert_int_equal(strlen(whole), needed);
-    assert_non_null(strstr(whole, "owner"));
+    assert_non_null(strstr(whole, "layer"));
     memset(part, 'x', sizeof part);
     assert_int_equal(tr_plan_print(&plan, part, 10), needed);
     assert_memory_equal(part, whole, 9);
@@ -828,6 +1064,11 @@ int main(void) {
         cmocka_unit_test(test_resizing_leaks_nothing),
         cmocka_unit_test(test_plans_hold_only_what_is_needed),
         cmocka_unit_test(test_largest_plan_fits),
+        cmocka_unit_test(test_modes),
+        cmocka_unit_test(test_methods_by_object),
+        cmocka_unit_test(test_groups_are_counted),
+        cmocka_unit_test(test_bad_scenes_and_wishes),
+        cmocka_unit_test(test_many_modes_on_one_context),
         cmocka_unit_test(test_plan_prints_like_snprintf),
         cmocka_unit_test(test_objects_and_passes),
         cmocka_unit_test(test_view_alpha),

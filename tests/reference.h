@@ -20,6 +20,16 @@
  *  - Several front faces of the front-most object between the front-most one and the limit neither limit nor show.
  *  - The background shows behind the front-most face with background_weight wherever no opaque thing lies before the
  *    limit, also where one lies beyond it.
+ *  - layers(n): D02 6.2 with n in the place of one. The n closest front faces of whatever object are blended over what
+ *    lies before the next one; faces at the same depth are one layer, of the lowest id; back faces play no part.
+ *  - Groups ("Two transparent objects are only blended with each other if ... they are very close to each other and
+ *    belong to the same semantic group", D02 3): a chain from the front-most face on. The next front face joins if it is
+ *    of another object of the same group and less than group_distance behind the last one, measured along the view;
+ *    else the chain ends. All of the chain is blended, and the chain's last stands where the front-most face stands in
+ *    the rules of interiors. A coincident face of the same group is part of the surface; one of another group ends the
+ *    chain of implicit interiors. Further faces of objects in the chain end an explicit chain, and are not there for an
+ *    implicit one. Of faces that coincide behind the first those of the group count.
+ *  - A method per object: that of the front-most face's object decides for the pixel.
  *  - Clipping at the near and far plane is that of GL: a point on a plane is inside, nothing is capped.
  *  - A pixel centre exactly on an edge belongs to one of the triangles that share it: the one that also covers the
  *    centre moved by an infinitely small step to the right, and by a still smaller one upward.
@@ -48,9 +58,17 @@ typedef struct ref_object {
     const float *vertex_alpha; /* NULL, or one a vertex, linear over the triangle in object space */
     const float *normals;      /* NULL: flat colour */
     bool cool_to_warm;         /* shade by normals */
+    uint32_t group;            /* semantic group; 0: none */
+    int method;                /* 0: the scene's; 1: implicit, 2: explicit interiors */
 } ref_object;
 
-typedef enum { REF_INTERIOR_IMPLICIT, REF_INTERIOR_IMPLICIT_PUBLISHED, REF_INTERIOR_EXPLICIT } ref_interior;
+#define REF_MAX_LAYERS 8
+typedef enum {
+    REF_INTERIOR_IMPLICIT,
+    REF_INTERIOR_IMPLICIT_PUBLISHED,
+    REF_INTERIOR_EXPLICIT,
+    REF_INTERIOR_LAYERS
+} ref_interior;
 typedef enum { REF_BLEND_PUBLISHED, REF_BLEND_NORMALISED, REF_BLEND_OVER } ref_blending;
 
 typedef struct ref_scene {
@@ -66,6 +84,11 @@ typedef struct ref_scene {
     double light_direction[3]; /* world, toward the light, any length */
     double cool[3], warm[3];
     double cool_mix, warm_mix; /* how much of the object's colour goes into the cool and the warm end */
+    int layers;                /* REF_INTERIOR_LAYERS: how many; else the longest chain of a group, 0: REF_MAX_LAYERS */
+    double group_distance;     /* between two of a group along the view, world units; 0: any */
+    bool use_blend_color,
+        srgb; /* blend_color in place of the background behind glass; blend light, not display values */
+    double blend_color[3];
 } ref_scene;
 
 /* Depths are window depths in [0,1], REF_NONE where there is no such surface. front_object is the object whose face is
@@ -75,6 +98,8 @@ typedef struct ref_pixel {
     double color[3];
     bool left_out; /* too near to an edge or an intersection for a comparison */
     uint32_t front_object, opaque_object;
+    int layer_count; /* transparent surfaces blended; front to back: */
+    uint32_t layer_objects[REF_MAX_LAYERS];
     double front_depth, opaque_depth;
     double limit_depth; /* opaque things here or farther are hidden */
 } ref_pixel;
@@ -520,37 +545,114 @@ static inline const ref_i_hit *ref_i_nearest(const ref_i_world *world, ref_i_kin
 
 /* What decides the colour of a pixel. */
 typedef struct ref_i_decision {
-    const ref_i_hit *front;  /* blended */
-    const ref_i_hit *opaque; /* seen behind it, or alone */
+    const ref_i_hit *front;                  /* the first of the blended layers */
+    const ref_i_hit *layers[REF_MAX_LAYERS]; /* front to back */
+    int layer_count;
+    const ref_i_hit *opaque; /* seen behind them, between them, or alone */
     const ref_i_hit *limit;
 } ref_i_decision;
 
+static inline bool ref_i_in_chain(const ref_i_world *world, const ref_i_decision *d, const ref_i_hit *hit) {
+    for (int i = 0; i < d->layer_count; ++i)
+        if (ref_i_id(world, d->layers[i]) == ref_i_id(world, hit))
+            return true;
+    return false;
+}
+
+static inline bool ref_i_same_group(const ref_i_world *world, const ref_i_hit *a, const ref_i_hit *b) {
+    uint32_t group = ref_i_object_of(world, &world->triangles[a->triangle])->group;
+    return group != 0 && group == ref_i_object_of(world, &world->triangles[b->triangle])->group;
+}
+
+/* The nearest front face at the chain's last or behind it that does not belong to the chain. Of implicit interiors: no
+ * further face of an object in the chain, and none of the group at the very depth of the last. */
+static inline const ref_i_hit *ref_i_next(const ref_i_world *world, const ref_i_decision *d, bool is_explicit) {
+    const ref_i_hit *last = d->layers[d->layer_count - 1], *best = NULL;
+    for (size_t i = 0; i < world->hit_count; ++i) {
+        const ref_i_hit *hit = &world->hits[i];
+        bool strictly = is_explicit || ref_i_same_group(world, last, hit);
+        if (hit->kind != REF_I_FRONT || (strictly ? !ref_i_nearer(last, hit) : ref_i_nearer(hit, last)) ||
+            (!is_explicit && ref_i_in_chain(world, d, hit)))
+            continue;
+        if (!best || hit->depth < best->depth)
+            best = hit;
+    }
+    return best;
+}
+
+/* How far a window depth is from the eye along the view: clip z and w are linear in that. */
+static inline double ref_i_view_depth(const ref_scene *scene, double depth) {
+    const double *p = scene->projection;
+    double ndc = 2 * depth - 1;
+    return -(ndc * p[15] - p[14]) / (p[10] - ndc * p[11]);
+}
+
+/* Of the faces at the depth of `next` the one that joins the chain: of its group, the lowest id; NULL where none does. */
+static inline const ref_i_hit *ref_i_joining(const ref_i_world *world, const ref_i_decision *d, const ref_i_hit *next) {
+    const ref_i_hit *last = d->layers[d->layer_count - 1], *best = NULL;
+    double reach = world->scene->group_distance;
+    double gap = ref_i_view_depth(world->scene, next->depth) - ref_i_view_depth(world->scene, last->depth);
+    if (reach > 0 && !(gap < reach))
+        return NULL;
+    for (size_t i = 0; i < world->hit_count; ++i) {
+        const ref_i_hit *hit = &world->hits[i];
+        if (hit->kind == REF_I_FRONT && !ref_i_nearer(hit, next) && !ref_i_nearer(next, hit) &&
+            ref_i_nearer(last, hit) && ref_i_same_group(world, last, hit) &&
+            (!best || ref_i_id(world, hit) < ref_i_id(world, best)))
+            best = hit;
+    }
+    return best && !ref_i_in_chain(world, d, best) ? best : NULL;
+}
+
+static inline void ref_i_decide_chain(const ref_i_world *world, ref_i_decision *d) {
+    const ref_object *object = ref_i_object_of(world, &world->triangles[d->front->triangle]);
+    bool is_explicit = object->method ? object->method == 2 : world->scene->interior == REF_INTERIOR_EXPLICIT;
+    int most = world->scene->layers > 0 ? world->scene->layers : REF_MAX_LAYERS;
+    const ref_i_hit *next;
+    for (;;) {
+        next = ref_i_next(world, d, is_explicit);
+        const ref_i_hit *joins = next && d->layer_count < most ? ref_i_joining(world, d, next) : NULL;
+        if (!joins)
+            break;
+        d->layers[d->layer_count++] = joins;
+    }
+    d->limit = next;
+    if (!is_explicit) {
+        const ref_i_hit *back = ref_i_nearest(world, REF_I_BACK, d->layers[d->layer_count - 1], 0);
+        if (back && (!next || back->depth < next->depth))
+            d->limit = back;
+    }
+}
+
+static inline void ref_i_decide_layers(const ref_i_world *world, ref_i_decision *d) {
+    while ((d->limit = ref_i_nearest(world, REF_I_FRONT, d->layers[d->layer_count - 1], 0)) != NULL &&
+           d->layer_count < world->scene->layers)
+        d->layers[d->layer_count++] = d->limit;
+}
+
 static inline ref_i_decision ref_i_decide(const ref_i_world *world) {
-    ref_i_decision d = {NULL, NULL, NULL};
-    d.front = ref_i_nearest(world, REF_I_FRONT, NULL, 0);
+    ref_i_decision d;
+    memset(&d, 0, sizeof d);
+    d.front = d.layers[0] = ref_i_nearest(world, REF_I_FRONT, NULL, 0);
+    d.layer_count = d.front != NULL;
     if (world->scene->interior == REF_INTERIOR_IMPLICIT_PUBLISHED) {
         /* D02 6.1: "only those opaque objects are visible which are closer than the nearest back face"; the depth
          * buffer that starts with the back faces hides front faces behind them as well. */
         d.limit = ref_i_nearest(world, REF_I_BACK, NULL, 0);
         if (d.front && d.limit && !ref_i_nearer(d.front, d.limit))
-            d.front = NULL;
-    } else if (world->scene->interior == REF_INTERIOR_EXPLICIT) {
-        /* D02 6.2: "only those opaque objects located between the closest and second-closest front-facing transparent
-         * surfaces are visible"; where there is no second one, its pipeline limits nothing. */
-        d.limit = d.front ? ref_i_nearest(world, REF_I_FRONT, d.front, 0) : NULL;
+            d.layer_count = 0;
+    } else if (d.front && world->scene->interior == REF_INTERIOR_LAYERS) {
+        ref_i_decide_layers(world, &d);
     } else if (d.front) {
-        /* A back face limits only where a front face lies before it, and so does the next object's front face: every
-         * hit of that kind is at or behind the front-most one. */
-        const ref_i_hit *other = ref_i_nearest(world, REF_I_FRONT, NULL, ref_i_id(world, d.front));
-        d.limit = ref_i_nearest(world, REF_I_BACK, d.front, 0);
-        if (other && (!d.limit || other->depth < d.limit->depth))
-            d.limit = other;
+        ref_i_decide_chain(world, &d);
     }
     d.opaque = ref_i_nearest(world, REF_I_SOLID, NULL, 0);
     if (d.opaque && d.limit && !ref_i_nearer(d.opaque, d.limit))
         d.opaque = NULL;
-    if (d.opaque && d.front && ref_i_nearer(d.opaque, d.front))
-        d.front = NULL; /* "opaque objects in the foreground are drawn on top of all other objects" */
+    /* "opaque objects in the foreground are drawn on top of all other objects" */
+    while (d.opaque && d.layer_count && ref_i_nearer(d.opaque, d.layers[d.layer_count - 1]))
+        --d.layer_count;
+    d.front = d.layer_count ? d.layers[0] : NULL;
     return d;
 }
 
@@ -600,6 +702,17 @@ static inline double ref_i_alpha_of(const ref_i_world *world, const ref_i_hit *h
     return object->vertex_alpha ? alpha : object->alpha;
 }
 
+/* IEC 61966-2-1, both ways. */
+static inline void ref_i_to_light(const ref_scene *scene, double color[3]) {
+    for (int i = 0; i < 3 && scene->srgb; ++i)
+        color[i] = color[i] <= 0.04045 ? color[i] / 12.92 : pow((color[i] + 0.055) / 1.055, 2.4);
+}
+
+static inline void ref_i_from_light(const ref_scene *scene, double color[3]) {
+    for (int i = 0; i < 3 && scene->srgb; ++i)
+        color[i] = color[i] <= 0.0031308 ? color[i] * 12.92 : 1.055 * pow(color[i], 1 / 2.4) - 0.055;
+}
+
 static inline void ref_i_compose(const ref_i_world *world, const ref_i_decision *d, ref_pixel *out) {
     const ref_scene *scene = world->scene;
     double below[3], weight = d->opaque ? scene->opaque_weight : scene->background_weight;
@@ -612,13 +725,20 @@ static inline void ref_i_compose(const ref_i_world *world, const ref_i_decision 
         out->opaque_object = ref_i_id(world, d->opaque);
         ref_i_color(world, d->opaque, below);
     }
-    memcpy(out->color, below, sizeof below);
-    if (d->front) {
+    out->front_object = d->front ? ref_i_id(world, d->front) : 0;
+    out->layer_count = d->layer_count;
+    if (d->layer_count && !d->opaque && scene->use_blend_color)
+        memcpy(below, scene->blend_color, sizeof below);
+    ref_i_to_light(scene, below);
+    for (int i = d->layer_count - 1; i >= 0; --i) {
         double front[3];
-        out->front_object = ref_i_id(world, d->front);
-        ref_i_color(world, d->front, front);
-        ref_blend(scene->blending, ref_i_alpha_of(world, d->front), front, weight, below, out->color);
+        out->layer_objects[i] = ref_i_id(world, d->layers[i]);
+        ref_i_color(world, d->layers[i], front);
+        ref_i_to_light(scene, front);
+        ref_blend(scene->blending, ref_i_alpha_of(world, d->layers[i]), front, weight, below, below);
     }
+    ref_i_from_light(scene, below);
+    memcpy(out->color, below, sizeof below);
 }
 
 /* ---- pixels left out of comparisons ----
@@ -640,17 +760,18 @@ typedef struct ref_i_cover {
 
 static inline ref_i_cover ref_i_cover_of(const ref_i_decision *d) {
     const ref_i_hit *solid = d->opaque ? d->opaque : d->limit;
-    const ref_i_hit *front = d->front ? d->front : solid;
+    const ref_i_hit *front = d->layer_count ? d->layers[d->layer_count - 1] : solid;
     ref_i_cover cover = {{front ? (int64_t)front->triangle : -1, solid ? (int64_t)solid->triangle : -1}};
     return cover;
 }
 
+/* Which objects are seen, and which side of them. */
 static inline uint64_t ref_i_signature(const ref_i_world *world, const ref_i_decision *d) {
-    const ref_i_hit *hits[2] = {d->front, d->opaque};
-    uint64_t signature = 0;
-    for (int i = 0; i < 2; ++i) {
-        const ref_i_triangle *t = hits[i] ? &world->triangles[hits[i]->triangle] : NULL;
-        signature = signature << 32 | (t ? 2 * (uint64_t)(t->object + 1) + t->front : 0);
+    uint64_t signature = (uint64_t)d->layer_count;
+    for (int i = -1; i < d->layer_count; ++i) {
+        const ref_i_hit *hit = i < 0 ? d->opaque : d->layers[i];
+        const ref_i_triangle *t = hit ? &world->triangles[hit->triangle] : NULL;
+        signature = signature * 1000003 + (t ? 2 * (uint64_t)(t->object + 1) + t->front : 0);
     }
     return signature;
 }

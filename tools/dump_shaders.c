@@ -43,13 +43,41 @@ static const char *host_main(tr_stage stage) {
                               : "void main()\n{\n    tr_surface(vec4(0.5), 7u);\n}\n";
 }
 
+/* Compositions and lines: each switch in turn, on the plainest variant and on the fullest. */
+static bool dump_variants(const char *folder, int version, bool reversed, tr_stage stage) {
+    static const tr_i_variant variants[] = {{TR_I_COMPOSITION, 1, 0, 1, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0},
+                                            {TR_I_COMPOSITION, 1, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0},
+                                            {TR_I_COMPOSITION, 1, 0, 1, 1, 0, 1, 0, 0, 0, 0, 0, 0, 0},
+                                            {TR_I_COMPOSITION, 1, 0, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0},
+                                            {TR_I_COMPOSITION, 1, 0, 1, 1, 2, 1, 0, 0, 1, 0, 0, 0, 0},
+                                            {TR_I_COMPOSITION, 1, 0, 1, 2, 0, 1, 0, 0, 0, 0, 0, 0, 0},
+                                            {TR_I_COMPOSITION, 4, 1, 1, 8, 1, 1, 1, 1, 0, 0, 0, 0, 0},
+                                            {TR_I_COMPOSITION, 2, 1, 0, 8, 2, 0, 1, 1, 0, 0, 0, 0, 0},
+                                            {TR_I_LINE, 1, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0},
+                                            {TR_I_LINE, 2, 1, 1, 0, 0, 0, 0, 0, 0, 1, 0, 1, 1},
+                                            {TR_I_LINE, 1, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 1, 1},
+                                            {TR_I_LINE, 2, 1, 1, 0, 0, 0, 0, 0, 0, 1, 1, 1, 0},
+                                            {TR_I_LINE, 2, 0, 1, 0, 0, 0, 0, 0, 0, 1, 2, 1, 1}};
+    bool ok = true;
+    for (size_t i = 0; ok && i < sizeof variants / sizeof variants[0]; ++i) {
+        tr_i_source source;
+        char name[32];
+        tr_i_program_source(&source, TR_I_PROGRAM_VARIANT, tr_i_key_of(&variants[i]), stage, versions[version].es,
+                            reversed);
+        snprintf(name, sizeof name, "tr_variant_%02d", (int)i);
+        ok = dump(folder, name, version, reversed, stage, &source, "");
+    }
+    return ok;
+}
+
 static bool dump_version(const char *folder, int version, bool reversed) {
     bool ok = true, es = versions[version].es;
     for (int stage = 0; stage < TR_STAGE_COUNT; ++stage) {
         tr_i_source source;
         char name[32];
-        for (int program = 0; program < TR_I_PROGRAM_COUNT; ++program) {
-            tr_i_program_source(&source, program, (tr_stage)stage, es, reversed);
+        ok = ok && dump_variants(folder, version, reversed, (tr_stage)stage);
+        for (int program = 0; program < TR_I_PROGRAM_VARIANT; ++program) {
+            tr_i_program_source(&source, program, 0, (tr_stage)stage, es, reversed);
             snprintf(name, sizeof name, "tr_program_%02d", program);
             ok = ok && dump(folder, name, version, reversed, (tr_stage)stage, &source, "");
         }
