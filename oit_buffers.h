@@ -82,12 +82,12 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#define OIT_VERSION 100 /* major * 10000 + minor * 100 + patch */
+#define OIT_VERSION 200 /* major * 10000 + minor * 100 + patch */
 
 /* How the functions are declared; not for users. A file need not use all that are static in it. */
 #if !defined(OIT_STATIC)
 #define OIT_DEF extern
-#elif defined(__GNUC__) || defined(__clang__)
+#elif defined(__GNUC__) || defined(__clang__) || defined(__TINYC__)
 #define OIT_DEF static __attribute__((unused))
 #else
 #define OIT_DEF static
@@ -104,7 +104,13 @@ extern "C" {
     X(OIT_OUT_OF_MEMORY, "out of memory")                                                                              \
     X(OIT_GL_TOO_OLD, "the context is older than OpenGL 4.3 or OpenGL ES 3.1")                                         \
     X(OIT_MISSING_FUNCTION, "a GL function that is needed was not found")                                              \
-    X(OIT_LIMIT_TOO_SMALL, "a limit of the context is too small for fragment buffers")
+    X(OIT_LIMIT_TOO_SMALL, "a limit of the context is too small for fragment buffers")                                 \
+    X(OIT_SHADER_FAILED, "a shader did not compile or link")                                                           \
+    X(OIT_TARGET_INCOMPLETE, "the target framebuffer is not complete")                                                 \
+    X(OIT_TARGET_MULTISAMPLED, "the target is multisampled, which this version does not draw into")                    \
+    X(OIT_TOO_LARGE, "the viewport is larger than the context's buffers or viewports can be")                          \
+    X(OIT_PIXEL_TOO_DEEP, "one pixel alone has more fragments than the ceiling holds")                                 \
+    X(OIT_WRONG_ORDER, "a function of a frame was called outside of it, or before its passes were done")
 
 typedef enum oit_result {
 #define OIT_I_ENUM(name, text) name,
@@ -117,6 +123,38 @@ typedef enum oit_log_level { OIT_LOG_ERROR, OIT_LOG_WARNING, OIT_LOG_INFO } oit_
 
 typedef void (*oit_proc)(void);
 
+typedef enum oit_state_policy {
+    OIT_STATE_RESTORE,
+    OIT_STATE_LEAVE_DEFAULTS,
+    OIT_STATE_LEAVE_DIRTY,
+    OIT_STATE_NONE /* goes with OIT_FIT_ASYNC */
+} oit_state_policy;
+
+/* How the fragment pool comes to be large enough. */
+typedef enum oit_fit {
+    OIT_FIT_WAIT, /* one read-back of 32 bytes between count and fill; over the ceiling in bands: nothing is ever lost */
+    OIT_FIT_ASYNC /* never waits: what does not fit this frame is composed from the tail, and the pool grows for the next */
+} oit_fit;
+
+/* How a fragment's colour is kept. Bytes are those of a fragment with nothing else chosen. */
+typedef enum oit_color {
+    OIT_COLOR_8,    /* rgb in 8 bits each, alpha as a 32-bit float: 12 bytes, for targets of 8 bits */
+    OIT_COLOR_HALF, /* rgb and alpha as 16-bit floats: 12 bytes, for brightnesses above 1 */
+    OIT_COLOR_FLOAT /* rgb and alpha as 32-bit floats: 20 bytes */
+} oit_color;
+
+/* What a fragment carries beside depth and colour, 4 bytes each but for OIT_FIELD_UV's 8; OIT_FIELD_BLEND is free with
+   OIT_COLOR_8. What is not chosen costs nothing. */
+enum {
+    OIT_FIELD_PART = 1,   /* uint: orders fragments of the same depth, before all else */
+    OIT_FIELD_KEY = 2,    /* uint: orders fragments of the same depth and part */
+    OIT_FIELD_BLEND = 4,  /* over, add or multiply by fragment */
+    OIT_FIELD_NORMAL = 8, /* a direction in 2 x 16 bits */
+    OIT_FIELD_UV = 16     /* two floats */
+};
+#define OIT_FIELD_ALL 31u
+#define OIT_MAX_HOST_WORDS 8
+
 typedef struct oit_desc {
     oit_proc (*get_proc)(const char *name);     /* required, except with OIT_GL_STATIC */
     void *(*alloc_fn)(size_t size, void *user); /* both or neither */
@@ -125,6 +163,17 @@ typedef struct oit_desc {
     void (*log_fn)(oit_log_level level, oit_result code, const char *text, void *user); /* optional */
     void *log_user;
     int max_gl_version; /* 0: what the context has; 430: use nothing newer than 4.3 (for tests of fall-backs) */
+    oit_state_policy state;
+    oit_fit fit;
+    oit_color color;
+    uint32_t fields;       /* OIT_FIELD_* */
+    int host_words;        /* words of the host's own in each fragment, at most OIT_MAX_HOST_WORDS */
+    int premultiplied;     /* 1: the rgb that shaders give is multiplied by alpha already */
+    int reversed_z;        /* 1: near is 1, far is 0 */
+    int64_t ceiling_bytes; /* most that the fragment pool may take; 0: 512 MiB. Never more than a storage block holds */
+    int64_t max_block_bytes;   /* 0: what the context has; else storage blocks are taken to hold no more (for tests) */
+    int first_storage_binding; /* three shader storage binding points from here on are ours */
+    int uniform_binding;       /* uniform buffer binding point that is ours; 0: 14 */
 } oit_desc;
 
 typedef struct oit_info {
@@ -136,16 +185,112 @@ typedef struct oit_info {
     int compute_invocations;     /* in one work group */
     int image_atomics;           /* 1: imageAtomicAdd and the like; always on desktop GL */
     int64_t storage_block_bytes; /* the most that one storage block may hold */
+    int fragment_bytes;          /* of one stored fragment */
+    uint64_t bytes;              /* of GL buffers held now */
 } oit_info;
+
+/* What the last frame that the GPU has finished was like. */
+typedef struct oit_report {
+    uint64_t frame;       /* 1 is the first oit_begin; 0: none is finished yet */
+    uint32_t needed;      /* fragments of the image (of its largest slab, where it needs several) */
+    uint32_t deepest;     /* fragments of the deepest pixel */
+    uint32_t lost_pixels; /* composed from the tail */
+    uint32_t lost;        /* fragments of those */
+    uint32_t extra;       /* fragments that the fill pass met and the count pass had not: not stored */
+    uint32_t capacity;    /* fragments that the pool held in that frame */
+    uint32_t bands;       /* fill passes */
+} oit_report;
+
+/* ---- a frame ---------------------------------------------------------------------------------------------------- */
+
+typedef struct oit_frame {
+    uint32_t framebuffer; /* target; its depth, if it has any, hides fragments; its first draw buffer is drawn into */
+    int x, y, width, height; /* viewport within the target, pixels */
+    float background_weight; /* of the target's own content, in [0,1]; 0: default 1; negative: 0 */
+    float light[3]; /* built-in surfaces: toward the light, any length, in the space of the normals; zero: not shaded */
+} oit_frame;
+
+typedef enum oit_pass_kind {
+    OIT_PASS_CLEAR,
+    OIT_PASS_COUNT, /* the host draws its transparent objects */
+    OIT_PASS_SUM,
+    OIT_PASS_TOPS,
+    OIT_PASS_SPREAD,
+    OIT_PASS_REPORT,
+    OIT_PASS_FILL, /* the host draws them again */
+    OIT_PASS_COMPOSE,
+    OIT_PASS_KIND_COUNT
+} oit_pass_kind;
+
+/* The state that a pass wants, as data; GL enumerants by their numbers. Under OIT_STATE_NONE the host applies it. */
+typedef struct oit_state {
+    uint32_t framebuffer;
+    int viewport[4], scissor[4]; /* the scissor test is on */
+    uint32_t program;            /* built-in; the host's own stands in for it where the host draws */
+    uint32_t groups[3];          /* not 0: glDispatchCompute, nothing is drawn */
+    uint32_t vertex_array;       /* with vertex_count */
+    int vertex_count;            /* 3: glDrawArrays(GL_TRIANGLES, 0, 3); 0: the host draws its objects, or dispatches */
+    uint32_t storage_buffers[3]; /* bound to first_storage_binding + i */
+    int first_storage_binding;
+    uint32_t uniform_buffer; /* bound to uniform_binding */
+    int uniform_binding;
+    int depth_test; /* depth is never written */
+    uint32_t depth_func;
+    int color_write;                          /* rgb of the first draw buffer; alpha and others are never written */
+    int blend;                                /* equation: add */
+    uint32_t blend_source, blend_destination; /* of rgb */
+} oit_state;
+
+typedef struct oit_pass {
+    oit_pass_kind kind;
+    const char *name;
+    uint32_t barriers; /* what oit_next_pass gave glMemoryBarrier before this pass */
+    oit_state state;
+} oit_pass;
 
 typedef struct oit_context oit_context;
 
 /* Needs a current context. Returns NULL and the reason (result may be NULL) on failure; nothing is left behind. */
 OIT_DEF oit_context *oit_create(const oit_desc *desc, oit_result *result);
-OIT_DEF void oit_destroy(oit_context *oit); /* NULL is fine */
-/* What was found by oit_create; all zeros for NULL. */
+/* With the GL context current; NULL is fine. Inside of a frame it leaves GL state as the last pass set it. */
+OIT_DEF void oit_destroy(oit_context *oit);
+/* All zeros for NULL. */
 OIT_DEF oit_info oit_get_info(const oit_context *oit);
 OIT_DEF const char *oit_result_string(oit_result result);
+OIT_DEF const char *oit_pass_kind_name(oit_pass_kind kind);
+
+OIT_DEF oit_result oit_begin(oit_context *oit, const oit_frame *frame);
+/* 1: draw all transparent objects; 0: none is left (or something failed, which oit_compose and oit_end return). Under
+   OIT_STATE_NONE also the passes that are not the host's come this way. */
+OIT_DEF int oit_next_pass(oit_context *oit, oit_pass *pass);
+/* Composes the fragments over the target. Under OIT_STATE_NONE the passes of it come from oit_next_pass after this. */
+OIT_DEF oit_result oit_compose(oit_context *oit);
+OIT_DEF oit_result oit_end(oit_context *oit); /* may come early: what is drawn so far stays */
+/* The latest that is known; with OIT_FIT_WAIT it waits for the last frame. */
+OIT_DEF oit_result oit_get_report(oit_context *oit, oit_report *report);
+
+/* Uniforms of the built-in surface programs. */
+typedef struct oit_material {
+    float model_view_projection[16]; /* column-major */
+    float normal_matrix[9];          /* column-major 3x3: object space to the space of oit_frame.light */
+    float color[4];                  /* rgb added to attribute 3, and alpha; not multiplied by it */
+    uint32_t part, key;              /* where those fields are chosen */
+    uint32_t blend;                  /* OIT_BLEND_*, where OIT_FIELD_BLEND is chosen */
+} oit_material;
+
+enum { OIT_BLEND_OVER, OIT_BLEND_ADD, OIT_BLEND_MULTIPLY };
+
+/* For objects drawn with the built-in program; call it after oit_next_pass, before the draw call. */
+OIT_DEF void oit_set_material(oit_context *oit, const oit_pass *pass, const oit_material *material);
+
+typedef enum oit_stage { OIT_VERTEX, OIT_FRAGMENT, OIT_STAGE_COUNT } oit_stage;
+
+/* Strings (with #version) to put before a shader of the host's, for OIT_PASS_COUNT or OIT_PASS_FILL; valid as long as the
+   context; NULL for bad arguments. */
+OIT_DEF const char *const *oit_glsl(const oit_context *oit, oit_stage stage, oit_pass_kind kind, int *count);
+
+/* Gives the buffers back, e.g. when transparency pauses; the next frame makes them anew. */
+OIT_DEF oit_result oit_release(oit_context *oit);
 
 #ifdef __cplusplus
 }
@@ -157,6 +302,7 @@ OIT_DEF const char *oit_result_string(oit_result result);
 #ifndef OIT_BUFFERS_IMPLEMENTATION_ONCE
 #define OIT_BUFFERS_IMPLEMENTATION_ONCE
 
+#include <math.h>
 #include <string.h>
 
 #ifndef OIT_MALLOC
@@ -177,63 +323,1055 @@ OIT_DEF const char *oit_result_string(oit_result result);
 #define OIT_I_GLAPI
 #endif
 
+/* clang-format off */
 /* ==== generated from shaders/ by tools/embed_shaders: edit there, then `make shaders` ==== */
+/* clang-format off */
+static const char *const oit_i_shader_oit_clear_comp[] = {
+    "#line 1\n"
+    "// For: oit_buffers.h\n"
+    "// Counts to zero; with the first slab of a frame the totals too.\n"
+    "layout(local_size_x = 128) in;\n"
+    "layout(std430, binding = OIT_BINDING_PIXELS) writeonly buffer oit_pixels { uint oit_pixel[]; };\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    uint block = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;\n"
+    "    uint first = block * OIT_BLOCK + gl_LocalInvocationID.x;\n"
+    "    for (uint i = 0u; i < 8u; ++i) {\n"
+    "        uint p = first + 128u * i;\n"
+    "        if (p < oit_pool.x)\n"
+    "            oit_pixel[OIT_LEFT(p)] = 0u;\n"
+    "    }\n"
+    "    if (oit_step.x != 0u && first < OIT_HEADER)\n"
+    "        oit_pixel[first] = 0u;\n"
+    "}\n",
+    0};
+static const char *const oit_i_shader_oit_compose_frag[] = {
+    "#line 1\n"
+    "// For: oit_buffers.h\n"
+    "// The pixels whose runs have more than OIT_ABOVE and at most OIT_CLASS records, composed over the target; with OIT_DEEP\n"
+    "// all that have more, OIT_CLASS records at a time.\n"
+    "#if OIT_MODE == OIT_MODE_DUAL\n"
+    "layout(location = 0, index = 0) out highp vec4 oit_out;\n"
+    "layout(location = 0, index = 1) out highp vec4 oit_keep;\n"
+    "#else\n"
+    "layout(location = 0) out highp vec4 oit_out;\n"
+    "#endif\n"
+    "\n"
+    "// Lays the first m of oit_order. With ties, all records of that depth are laid when the first of them is met; beyond\n"
+    "// the last of a block there may be more of its depth.\n"
+    "void oit_lay_sorted(uint base, uint n, uint m, bool tie, inout uint grouped)\n"
+    "{\n"
+    "    for (uint i = 0u; i < m && oit_visible(); ++i) {\n"
+    "        uint at = oit_order[i];\n"
+    "        bool alone = true;\n"
+    "        uint depth = 0u;\n"
+    "        if (tie) {\n"
+    "            depth = oit_word[at];\n"
+    "            if (depth == grouped)\n"
+    "                continue;\n"
+    "            alone = i + 1u < m ? oit_word[oit_order[i + 1u]] != depth : OIT_DEEP == 0;\n"
+    "        }\n"
+    "        if (alone) {\n"
+    "            oit_lay(at);\n"
+    "        } else {\n"
+    "            oit_lay_group(base, n, depth);\n"
+    "            grouped = depth;\n"
+    "        }\n"
+    "    }\n"
+    "}\n"
+    "\n"
+    "void oit_lay_run(uint base, uint n)\n"
+    "{\n"
+    "    uint grouped = OIT_NONE;\n"
+    "#if OIT_DEEP\n"
+    "    uint depth = 0u, at = 0u;\n"
+    "    for (uint done = 0u; done < n && oit_visible(); done += uint(OIT_CLASS)) {\n"
+    "        oit_select(base, n, done > 0u, depth, at);\n"
+    "        oit_lay_sorted(base, n, min(uint(OIT_CLASS), n - done), true, grouped);\n"
+    "    }\n"
+    "#elif OIT_CLASS == 1\n"
+    "    oit_lay(base);\n"
+    "#else\n"
+    "    bool tie = oit_sort(base, n);\n"
+    "    oit_lay_sorted(base, n, n, tie, grouped);\n"
+    "#endif\n"
+    "}\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    ivec2 where = ivec2(gl_FragCoord.xy) - oit_area.xy;\n"
+    "    uint p = uint(where.y) * uint(oit_area.z) + uint(where.x);\n"
+    "    uint start = oit_pixel[OIT_START(p)], end = oit_pixel[OIT_START(p + 1u)];\n"
+    "#if OIT_ASYNC\n"
+    "    if (end > oit_pool.z)\n"
+    "        discard;\n"
+    "#endif\n"
+    "    // Fragments that were counted and did not come have left the first places empty.\n"
+    "    start += uint(max(int(oit_pixel[OIT_LEFT(p)]), 0));\n"
+    "    uint n = end - start;\n"
+    "    if (n <= uint(OIT_ABOVE) || (OIT_DEEP == 0 && n > uint(OIT_CLASS)))\n"
+    "        discard;\n"
+    "    oit_lay_run((start - oit_pool.y) * uint(OIT_WORDS), n);\n"
+    "#if OIT_MODE == OIT_MODE_DUAL\n"
+    "    oit_out = vec4(oit_sum, 0.0);\n"
+    "    oit_keep = vec4(oit_light.w * oit_through, 0.0);\n"
+    "#elif OIT_MODE == OIT_MODE_FILTER\n"
+    "    oit_out = vec4(oit_light.w * oit_through, 0.0);\n"
+    "#elif OIT_MODE == OIT_MODE_LIGHT\n"
+    "    oit_out = vec4(oit_sum, 0.0);\n"
+    "#else\n"
+    "    oit_out = vec4(oit_sum, oit_light.w * oit_through);\n"
+    "#endif\n"
+    "}\n",
+    0};
+static const char *const oit_i_shader_oit_compose_glsl[] = {
+    "#line 1\n"
+    "// For: oit_buffers.h\n"
+    "// Records laid one behind the other, front to back (Carnecky 2013, section 4.6): oit_sum is what has come of them so far,\n"
+    "// oit_through how much is still seen of what is behind.\n"
+    "#if OIT_HAS_BLEND\n"
+    "#define OIT_THROUGH vec3\n"
+    "#else\n"
+    "#define OIT_THROUGH float\n"
+    "#endif\n"
+    "vec3 oit_sum = vec3(0.0);\n"
+    "OIT_THROUGH oit_through = OIT_THROUGH(1.0);\n"
+    "\n"
+    "// Below 2^-24 of it nothing behind can change a float that is brighter than that.\n"
+    "bool oit_visible()\n"
+    "{\n"
+    "#if OIT_HAS_BLEND\n"
+    "    return max(oit_through.r, max(oit_through.g, oit_through.b)) > 5.9604645e-8;\n"
+    "#else\n"
+    "    return oit_through > 5.9604645e-8;\n"
+    "#endif\n"
+    "}\n"
+    "\n"
+    "void oit_lay(uint at)\n"
+    "{\n"
+    "    vec4 color = oit_record_color(at);\n"
+    "#if OIT_PREMULTIPLIED\n"
+    "    vec3 light = color.rgb;\n"
+    "#else\n"
+    "    vec3 light = color.a * color.rgb;\n"
+    "#endif\n"
+    "#if OIT_HAS_BLEND\n"
+    "    uint blend = oit_record_blend(at);\n"
+    "    if (blend == 2u) { // multiply: seen through a filter of that colour\n"
+    "        oit_through *= 1.0 - color.a + light;\n"
+    "        return;\n"
+    "    }\n"
+    "    oit_sum += oit_through * light;\n"
+    "    if (blend == 1u) // add: light, which hides nothing\n"
+    "        return;\n"
+    "#else\n"
+    "    oit_sum += oit_through * light;\n"
+    "#endif\n"
+    "    oit_through *= 1.0 - color.a;\n"
+    "}\n"
+    "\n"
+    "// All records of one depth, in their order, each found anew: ties are rare.\n"
+    "void oit_lay_group(uint base, uint count, uint depth)\n"
+    "{\n"
+    "    uint last = OIT_NONE;\n"
+    "    for (;;) {\n"
+    "        uint best = OIT_NONE;\n"
+    "        for (uint i = 0u; i < count; ++i) {\n"
+    "            uint at = base + i * uint(OIT_WORDS);\n"
+    "            if (oit_word[at] != depth || (last != OIT_NONE && !oit_after(at, last)))\n"
+    "                continue;\n"
+    "            if (best == OIT_NONE || oit_after(best, at))\n"
+    "                best = at;\n"
+    "        }\n"
+    "        if (best == OIT_NONE)\n"
+    "            return;\n"
+    "        oit_lay(best);\n"
+    "        last = best;\n"
+    "    }\n"
+    "}\n"
+    "\n"
+    "// What oit_i_add_network writes is made of these: registers d (depth) and o (where the record lies).\n"
+    "#define L(d, o, i) uint d = OIT_NONE, o = base; if (i < n) { o = base + i * uint(OIT_WORDS); d = oit_word[o]; }\n"
+    "#define S(d, o, e, p) { bool g = e < d; uint t = g ? p : o; p = g ? o : p; o = t; t = min(d, e); e = max(d, e); d = t; }\n"
+    "#define T(d, e, i) tie = tie || (d == e && i < n);\n"
+    "#define D(d, o) uint d = OIT_NONE, o = base;\n"
+    "#define I(d, o) { s = s || x < d; uint t = d; d = s ? x : d; x = s ? t : x; t = o; o = s ? y : o; y = s ? t : y; }\n"
+    "uint oit_order[OIT_CLASS];\n",
+    0};
+static const char *const oit_i_shader_oit_frame_block_glsl[] = {
+    "#line 1\n"
+    "// For: oit_buffers.h\n"
+    "// What is the same for all of a pass (std140, written by oit_i_upload_block), and where things lie in the pixel buffer.\n"
+    "layout(std140, binding = OIT_UNIFORM_BINDING) uniform oit_frame\n"
+    "{\n"
+    "    highp ivec4 oit_area;  // x, y of the slab's corner in the target, its width and height\n"
+    "    highp uvec4 oit_pool;  // x: pixels of the slab, y: first fragment of the band, z: capacity, w: blocks of the scan\n"
+    "    highp uvec4 oit_step;  // x: 1 with the first slab of a frame\n"
+    "    highp vec4 oit_light;  // xyz: toward the light, unit length; zero: no shading. w: weight of the background\n"
+    "};\n"
+    "\n"
+    "// The pixel buffer: 16 words of totals, then two words a pixel (where its run starts; how many fragments are still to\n"
+    "// come), one more start, a word for each block of the scan, and four words a pixel for the tail.\n"
+    "#define OIT_NEEDED 0u      // fragments of the slab that needs most\n"
+    "#define OIT_DEEPEST 1u     // fragments of the deepest pixel\n"
+    "#define OIT_LOST_PIXELS 2u // pixels that are composed from the tail\n"
+    "#define OIT_LOST 3u        // fragments that went to the tail\n"
+    "#define OIT_EXTRA 4u       // fragments that the fill met and the count had not\n"
+    "#define OIT_TOTAL 5u       // fragments of this slab\n"
+    "#define OIT_HEADER 16u\n"
+    "#define OIT_START(p) (OIT_HEADER + 2u * (p))\n"
+    "#define OIT_LEFT(p) (OIT_HEADER + 1u + 2u * (p))\n"
+    "#define OIT_SUM(b) (OIT_HEADER + 2u + 2u * oit_pool.x + (b))\n"
+    "#define OIT_TAIL(p) (OIT_HEADER + 2u + 2u * oit_pool.x + oit_pool.w + 4u * (p))\n"
+    "\n"
+    "// A block of the scan: 128 invocations of 8 pixels each.\n"
+    "#define OIT_BLOCK 1024u\n",
+    0};
+static const char *const oit_i_shader_oit_fullscreen_vert[] = {
+    "#line 1\n"
+    "// For: oit_buffers.h\n"
+    "// One triangle that covers the viewport; no vertex buffer.\n"
+    "void main()\n"
+    "{\n"
+    "    vec2 corner = vec2(float((gl_VertexID << 1) & 2), float(gl_VertexID & 2));\n"
+    "    gl_Position = vec4(2.0 * corner - 1.0, 0.0, 1.0);\n"
+    "}\n",
+    0};
+static const char *const oit_i_shader_oit_record_glsl[] = {
+    "#line 1\n"
+    "// For: oit_buffers.h\n"
+    "// Records read back: the order of two, colour, how it is laid over what is behind.\n"
+    "layout(std430, binding = OIT_BINDING_PIXELS) readonly buffer oit_pixels { uint oit_pixel[]; };\n"
+    "layout(std430, binding = OIT_BINDING_FRAGMENTS) readonly buffer oit_fragments { uint oit_word[]; };\n"
+    "\n"
+    "#define OIT_NONE 0xffffffffu\n"
+    "\n"
+    "// Whether the record at a comes after that at b; by their words, then by where they lie, which only tells apart records\n"
+    "// that are alike in every word.\n"
+    "bool oit_after(uint a, uint b)\n"
+    "{\n"
+    "    for (uint i = 0u; i < uint(OIT_WORDS); ++i) {\n"
+    "        uint x = oit_word[a + i], y = oit_word[b + i];\n"
+    "        if (x != y)\n"
+    "            return x > y;\n"
+    "    }\n"
+    "    return a > b;\n"
+    "}\n"
+    "\n"
+    "vec4 oit_record_color(uint at)\n"
+    "{\n"
+    "#if OIT_COLOR == OIT_COLOR_8\n"
+    "    uint c = oit_word[at + uint(OIT_AT_COLOR)];\n"
+    "    return vec4(vec3(uvec3(c, c >> 8u, c >> 16u) & 255u) * (1.0 / 255.0), uintBitsToFloat(oit_word[at + uint(OIT_AT_COLOR + 1)]));\n"
+    "#elif OIT_COLOR == OIT_COLOR_HALF\n"
+    "    return vec4(unpackHalf2x16(oit_word[at + uint(OIT_AT_COLOR)]), unpackHalf2x16(oit_word[at + uint(OIT_AT_COLOR + 1)]));\n"
+    "#else\n"
+    "    return vec4(uintBitsToFloat(oit_word[at + uint(OIT_AT_COLOR)]), uintBitsToFloat(oit_word[at + uint(OIT_AT_COLOR + 1)]),\n"
+    "                uintBitsToFloat(oit_word[at + uint(OIT_AT_COLOR + 2)]), uintBitsToFloat(oit_word[at + uint(OIT_AT_COLOR + 3)]));\n"
+    "#endif\n"
+    "}\n"
+    "\n"
+    "#if OIT_HAS_BLEND\n"
+    "uint oit_record_blend(uint at)\n"
+    "{\n"
+    "#if OIT_COLOR == OIT_COLOR_8\n"
+    "    return oit_word[at + uint(OIT_AT_COLOR)] >> 24u;\n"
+    "#else\n"
+    "    return oit_word[at + uint(OIT_AT_BLEND)];\n"
+    "#endif\n"
+    "}\n"
+    "#endif\n",
+    0};
+static const char *const oit_i_shader_oit_report_comp[] = {
+    "#line 1\n"
+    "// For: oit_buffers.h\n"
+    "// The totals into a buffer of their own, which the CPU reads when its fence has passed.\n"
+    "layout(local_size_x = 1) in;\n"
+    "layout(std430, binding = OIT_BINDING_PIXELS) readonly buffer oit_pixels { uint oit_pixel[]; };\n"
+    "layout(std430, binding = OIT_BINDING_REPORT) writeonly buffer oit_report { uint oit_total[]; };\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    for (uint i = 0u; i < 8u; ++i)\n"
+    "        oit_total[i] = oit_pixel[i];\n"
+    "}\n",
+    0};
+static const char *const oit_i_shader_oit_scan_glsl[] = {
+    "#line 1\n"
+    "// For: oit_buffers.h\n"
+    "// Sums that stay at the largest number instead of starting again from zero, and their prefix sum over a work group.\n"
+    "uint oit_add(uint a, uint b)\n"
+    "{\n"
+    "    uint sum = a + b;\n"
+    "    return sum < a ? 0xffffffffu : sum;\n"
+    "}\n"
+    "#ifdef OIT_SCANS\n"
+    "shared uint oit_scanned[128];\n"
+    "\n"
+    "// What lies before this invocation. All 128 must call it.\n"
+    "uint oit_scan(uint self, uint value)\n"
+    "{\n"
+    "    oit_scanned[self] = value;\n"
+    "    barrier();\n"
+    "    for (uint reach = 1u; reach < 128u; reach <<= 1u) {\n"
+    "        uint other = self >= reach ? oit_scanned[self - reach] : 0u;\n"
+    "        barrier();\n"
+    "        oit_scanned[self] = oit_add(oit_scanned[self], other);\n"
+    "        barrier();\n"
+    "    }\n"
+    "    return self > 0u ? oit_scanned[self - 1u] : 0u;\n"
+    "}\n"
+    "#endif\n",
+    0};
+static const char *const oit_i_shader_oit_spread_comp[] = {
+    "#line 1\n"
+    "// For: oit_buffers.h\n"
+    "// The scan, third of three: where the run of each pixel starts. A run that ends beyond the pool does not fit; since starts\n"
+    "// ascend, that follows from its end alone and needs no mark.\n"
+    "layout(local_size_x = 128) in;\n"
+    "layout(std430, binding = OIT_BINDING_PIXELS) buffer oit_pixels { uint oit_pixel[]; };\n"
+    "\n"
+    "void oit_lose(uint p, uint count)\n"
+    "{\n"
+    "    atomicAdd(oit_pixel[OIT_LOST_PIXELS], 1u);\n"
+    "    atomicAdd(oit_pixel[OIT_LOST], count);\n"
+    "    for (uint c = 0u; c < 4u; ++c)\n"
+    "        oit_pixel[OIT_TAIL(p) + c] = 0u;\n"
+    "}\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    uint block = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;\n"
+    "    uint first = block * OIT_BLOCK + 8u * gl_LocalInvocationID.x;\n"
+    "    uint sum = 0u;\n"
+    "    for (uint p = first; p < first + 8u; ++p)\n"
+    "        sum = oit_add(sum, p < oit_pool.x ? oit_pixel[OIT_LEFT(p)] : 0u);\n"
+    "    uint before = oit_scan(gl_LocalInvocationID.x, sum);\n"
+    "    before = oit_add(before, block < oit_pool.w ? oit_pixel[OIT_SUM(block)] : 0u);\n"
+    "    for (uint p = first; p < first + 8u && p < oit_pool.x; ++p) {\n"
+    "        uint count = oit_pixel[OIT_LEFT(p)];\n"
+    "        oit_pixel[OIT_START(p)] = before;\n"
+    "        before = oit_add(before, count);\n"
+    "#if OIT_ASYNC\n"
+    "        if (before > oit_pool.z && count > 0u)\n"
+    "            oit_lose(p, count);\n"
+    "#endif\n"
+    "    }\n"
+    "}\n",
+    0};
+static const char *const oit_i_shader_oit_store_glsl[] = {
+    "#line 1\n"
+    "// For: oit_buffers.h\n"
+    "// What a fragment shader calls: oit_store(fragment), or oit_store(color). Counts in the count pass; in the fill pass writes\n"
+    "// one record of OIT_WORDS words into the pixel's run. Records are written so that their words, compared one after the\n"
+    "// other, give the order in which they are composed: depth, part, key, and all else for fragments that tie.\n"
+    "layout(early_fragment_tests) in;\n"
+    "layout(std430, binding = OIT_BINDING_PIXELS) buffer oit_pixels { uint oit_pixel[]; };\n"
+    "#if OIT_PASS == OIT_FILL\n"
+    "layout(std430, binding = OIT_BINDING_FRAGMENTS) writeonly buffer oit_fragments { uint oit_word[]; };\n"
+    "#endif\n"
+    "\n"
+    "#define OIT_BLEND_OVER 0u\n"
+    "#define OIT_BLEND_ADD 1u\n"
+    "#define OIT_BLEND_MULTIPLY 2u\n"
+    "\n"
+    "struct oit_fragment\n"
+    "{\n"
+    "    vec4 color; // rgb and alpha\n"
+    "#if OIT_HAS_PART\n"
+    "    uint part;\n"
+    "#endif\n"
+    "#if OIT_HAS_KEY\n"
+    "    uint key;\n"
+    "#endif\n"
+    "#if OIT_HAS_BLEND\n"
+    "    uint blend;\n"
+    "#endif\n"
+    "#if OIT_HAS_NORMAL\n"
+    "    vec3 normal;\n"
+    "#endif\n"
+    "#if OIT_HAS_UV\n"
+    "    vec2 uv;\n"
+    "#endif\n"
+    "#if OIT_HOST_WORDS > 0\n"
+    "    uint words[OIT_HOST_WORDS];\n"
+    "#endif\n"
+    "};\n"
+    "\n"
+    "// NaN and infinities by their bits: compilers may take comparisons with them away.\n"
+    "float oit_finite(float x)\n"
+    "{\n"
+    "    return (floatBitsToUint(x) & 0x7f800000u) == 0x7f800000u ? 0.0 : x;\n"
+    "}\n"
+    "\n"
+    "vec4 oit_finite(vec4 color)\n"
+    "{\n"
+    "    vec3 c = vec3(oit_finite(color.r), oit_finite(color.g), oit_finite(color.b));\n"
+    "    return vec4(c, clamp(oit_finite(color.a), 0.0, 1.0));\n"
+    "}\n"
+    "\n"
+    "// Ascends from the eye on, in either convention. A depth of -0.0 is 0.0.\n"
+    "uint oit_depth_bits()\n"
+    "{\n"
+    "    uint bits = floatBitsToUint(gl_FragCoord.z);\n"
+    "    bits = bits > 0x7fffffffu ? 0u : bits;\n"
+    "#if OIT_REVERSED_Z\n"
+    "    bits = 0x7fffffffu - bits;\n"
+    "#endif\n"
+    "    return bits;\n"
+    "}\n"
+    "\n"
+    "uint oit_pixel_index()\n"
+    "{\n"
+    "    ivec2 at = ivec2(gl_FragCoord.xy) - oit_area.xy;\n"
+    "    return uint(at.y) * uint(oit_area.z) + uint(at.x);\n"
+    "}\n"
+    "\n"
+    "#if OIT_PASS == OIT_FILL\n"
+    "#if OIT_HAS_NORMAL\n"
+    "// The octahedron unfolded: both coordinates of a direction in 16 bits each. A normal of no length is that toward the eye.\n"
+    "uint oit_pack_normal(vec3 n)\n"
+    "{\n"
+    "    n = vec3(oit_finite(n.x), oit_finite(n.y), oit_finite(n.z));\n"
+    "    float size = abs(n.x) + abs(n.y) + abs(n.z);\n"
+    "    n = size > 0.0 && size < 1.0e38 ? n / size : vec3(0.0, 0.0, 1.0);\n"
+    "    vec2 folded = (1.0 - abs(n.yx)) * vec2(n.x < 0.0 ? -1.0 : 1.0, n.y < 0.0 ? -1.0 : 1.0);\n"
+    "    return packSnorm2x16(n.z < 0.0 ? folded : n.xy);\n"
+    "}\n"
+    "#endif\n"
+    "\n"
+    "void oit_write(uint at, oit_fragment f)\n"
+    "{\n"
+    "    vec4 color = oit_finite(f.color);\n"
+    "    oit_word[at++] = oit_depth_bits();\n"
+    "#if OIT_HAS_PART\n"
+    "    oit_word[at++] = f.part;\n"
+    "#endif\n"
+    "#if OIT_HAS_KEY\n"
+    "    oit_word[at++] = f.key;\n"
+    "#endif\n"
+    "#if OIT_COLOR == OIT_COLOR_8\n"
+    "    uvec3 c = uvec3(clamp(color.rgb, 0.0, 1.0) * 255.0 + 0.5);\n"
+    "    uint packed_color = c.r | c.g << 8u | c.b << 16u;\n"
+    "#if OIT_HAS_BLEND\n"
+    "    packed_color |= f.blend << 24u;\n"
+    "#endif\n"
+    "    oit_word[at++] = packed_color;\n"
+    "    oit_word[at++] = floatBitsToUint(color.a);\n"
+    "#elif OIT_COLOR == OIT_COLOR_HALF\n"
+    "    vec3 c = clamp(color.rgb, -65504.0, 65504.0);\n"
+    "    oit_word[at++] = packHalf2x16(c.rg);\n"
+    "    oit_word[at++] = packHalf2x16(vec2(c.b, color.a));\n"
+    "#else\n"
+    "    oit_word[at++] = floatBitsToUint(color.r);\n"
+    "    oit_word[at++] = floatBitsToUint(color.g);\n"
+    "    oit_word[at++] = floatBitsToUint(color.b);\n"
+    "    oit_word[at++] = floatBitsToUint(color.a);\n"
+    "#endif\n"
+    "#if OIT_HAS_BLEND && OIT_COLOR != OIT_COLOR_8\n"
+    "    oit_word[at++] = f.blend;\n"
+    "#endif\n"
+    "#if OIT_HAS_NORMAL\n"
+    "    oit_word[at++] = oit_pack_normal(f.normal);\n"
+    "#endif\n"
+    "#if OIT_HAS_UV\n"
+    "    oit_word[at++] = floatBitsToUint(f.uv.x);\n"
+    "    oit_word[at++] = floatBitsToUint(f.uv.y);\n"
+    "#endif\n"
+    "#if OIT_HOST_WORDS > 0\n"
+    "    for (int i = 0; i < OIT_HOST_WORDS; ++i)\n"
+    "        oit_word[at++] = f.words[i];\n"
+    "#endif\n"
+    "}\n"
+    "\n"
+    "#if OIT_ASYNC\n"
+    "// The tail: sums that do not depend on the order, in integers so that rounding does not either. The layers of a pixel are\n"
+    "// taken as mixed evenly: optical depths add, colours are weighted by them. Bits are shared out by the count of the\n"
+    "// pixel, so that no sum overflows: colours up to 4 and optical depths up to 11 make less than 64 a fragment.\n",
+    "#line 128\n"
+    "void oit_to_tail(uint p, uint count, oit_fragment f)\n"
+    "{\n"
+    "    vec4 color = oit_finite(f.color);\n"
+    "    float scale = exp2(float(26 - findMSB(count) - 1));\n"
+    "    float thickness = min(-log(1.0 - min(color.a, 0.999999)), 11.0);\n"
+    "    vec3 c = clamp(color.rgb, 0.0, 4.0);\n"
+    "#if OIT_PREMULTIPLIED\n"
+    "    c = color.a > 0.0 ? min(c / color.a, vec3(4.0)) : c;\n"
+    "    float weight = color.a > 0.0 ? thickness : 1.0;\n"
+    "#else\n"
+    "    float weight = thickness;\n"
+    "#endif\n"
+    "#if OIT_HAS_BLEND\n"
+    "    if (f.blend == OIT_BLEND_ADD) {\n"
+    "        weight = OIT_PREMULTIPLIED == 1 ? max(color.a, 1.0e-6) : color.a;\n"
+    "        thickness = 0.0;\n"
+    "    } else if (f.blend == OIT_BLEND_MULTIPLY) {\n"
+    "        float keep = 1.0 - color.a + color.a * min((c.r + c.g + c.b) / 3.0, 1.0);\n"
+    "        thickness = min(-log(max(keep, 1.0e-6)), 11.0);\n"
+    "        weight = 0.0;\n"
+    "    }\n"
+    "#endif\n"
+    "    uvec4 parts = uvec4(vec4(c * weight, thickness) * scale + 0.5);\n"
+    "    atomicAdd(oit_pixel[OIT_TAIL(p)], parts.r);\n"
+    "    atomicAdd(oit_pixel[OIT_TAIL(p) + 1u], parts.g);\n"
+    "    atomicAdd(oit_pixel[OIT_TAIL(p) + 2u], parts.b);\n"
+    "    atomicAdd(oit_pixel[OIT_TAIL(p) + 3u], parts.a);\n"
+    "}\n"
+    "#endif\n"
+    "#endif\n"
+    "\n"
+    "void oit_store(oit_fragment f)\n"
+    "{\n"
+    "    uint p = oit_pixel_index();\n"
+    "#if OIT_PASS == OIT_COUNT\n"
+    "    atomicAdd(oit_pixel[OIT_LEFT(p)], 1u);\n"
+    "#else\n"
+    "    uint start = oit_pixel[OIT_START(p)], end = oit_pixel[OIT_START(p + 1u)];\n"
+    "    uint left = atomicAdd(oit_pixel[OIT_LEFT(p)], 0xffffffffu);\n"
+    "    // Nothing is written outside of the run, however many fragments come: 0, and what wraps below it, are beyond any count.\n"
+    "    if (left - 1u >= end - start) {\n"
+    "        atomicAdd(oit_pixel[OIT_EXTRA], 1u);\n"
+    "        return;\n"
+    "    }\n"
+    "#if OIT_ASYNC\n"
+    "    if (end > oit_pool.z) {\n"
+    "        oit_to_tail(p, end - start, f);\n"
+    "        return;\n"
+    "    }\n"
+    "#endif\n"
+    "    oit_write((start + left - 1u - oit_pool.y) * uint(OIT_WORDS), f);\n"
+    "#endif\n"
+    "}\n"
+    "\n"
+    "void oit_store(vec4 color)\n"
+    "{\n"
+    "    oit_fragment f;\n"
+    "    f.color = color;\n"
+    "#if OIT_HAS_PART\n"
+    "    f.part = 0u;\n"
+    "#endif\n"
+    "#if OIT_HAS_KEY\n"
+    "    f.key = 0u;\n"
+    "#endif\n"
+    "#if OIT_HAS_BLEND\n"
+    "    f.blend = OIT_BLEND_OVER;\n"
+    "#endif\n"
+    "#if OIT_HAS_NORMAL\n"
+    "    f.normal = vec3(0.0, 0.0, 1.0);\n"
+    "#endif\n"
+    "#if OIT_HAS_UV\n"
+    "    f.uv = vec2(0.0);\n"
+    "#endif\n"
+    "#if OIT_HOST_WORDS > 0\n"
+    "    for (int i = 0; i < OIT_HOST_WORDS; ++i)\n"
+    "        f.words[i] = 0u;\n"
+    "#endif\n"
+    "    oit_store(f);\n"
+    "}\n",
+    0};
+static const char *const oit_i_shader_oit_sum_comp[] = {
+    "#line 1\n"
+    "// For: oit_buffers.h\n"
+    "// The scan, first of three: the fragments of each block, and of the deepest pixel.\n"
+    "layout(local_size_x = 128) in;\n"
+    "layout(std430, binding = OIT_BINDING_PIXELS) buffer oit_pixels { uint oit_pixel[]; };\n"
+    "shared uint oit_sums[128];\n"
+    "shared uint oit_most[128];\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    uint block = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;\n"
+    "    uint self = gl_LocalInvocationID.x;\n"
+    "    uint sum = 0u, most = 0u;\n"
+    "    for (uint i = 0u; i < 8u; ++i) {\n"
+    "        uint p = block * OIT_BLOCK + 128u * i + self;\n"
+    "        uint count = p < oit_pool.x ? oit_pixel[OIT_LEFT(p)] : 0u;\n"
+    "        sum = oit_add(sum, count);\n"
+    "        most = max(most, count);\n"
+    "    }\n"
+    "    oit_sums[self] = sum;\n"
+    "    oit_most[self] = most;\n"
+    "    barrier();\n"
+    "    for (uint half_size = 64u; half_size > 0u; half_size >>= 1u) {\n"
+    "        if (self < half_size) {\n"
+    "            oit_sums[self] = oit_add(oit_sums[self], oit_sums[self + half_size]);\n"
+    "            oit_most[self] = max(oit_most[self], oit_most[self + half_size]);\n"
+    "        }\n"
+    "        barrier();\n"
+    "    }\n"
+    "    if (self == 0u && block < oit_pool.w) {\n"
+    "        oit_pixel[OIT_SUM(block)] = oit_sums[0];\n"
+    "        atomicMax(oit_pixel[OIT_DEEPEST], oit_most[0]);\n"
+    "    }\n"
+    "}\n",
+    0};
+static const char *const oit_i_shader_oit_surface_frag[] = {
+    "#line 1\n"
+    "// For: oit_buffers.h\n"
+    "// Built-in surfaces: the object's colour, lit from both sides where the frame has a light.\n"
+    "in vec3 oit_v_normal;\n"
+    "in vec4 oit_v_color;\n"
+    "uniform vec4 oit_object_color;\n"
+    "#if OIT_HAS_PART || OIT_HAS_KEY || OIT_HAS_BLEND\n"
+    "uniform uvec4 oit_object; // part, key, blend\n"
+    "#endif\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    vec4 color = oit_object_color;\n"
+    "    color.rgb += oit_v_color.rgb;\n"
+    "    float size = dot(oit_v_normal, oit_v_normal);\n"
+    "    vec3 normal = size > 1.0e-30 ? oit_v_normal * inversesqrt(size) : vec3(0.0, 0.0, 1.0);\n"
+    "    if (oit_light.xyz != vec3(0.0))\n"
+    "        color.rgb *= 0.35 + 0.65 * abs(dot(normal, oit_light.xyz));\n"
+    "#if OIT_PREMULTIPLIED\n"
+    "    color.rgb *= color.a;\n"
+    "#endif\n"
+    "    oit_fragment f;\n"
+    "    f.color = color;\n"
+    "#if OIT_HAS_PART\n"
+    "    f.part = oit_object.x;\n"
+    "#endif\n"
+    "#if OIT_HAS_KEY\n"
+    "    f.key = oit_object.y;\n"
+    "#endif\n"
+    "#if OIT_HAS_BLEND\n"
+    "    f.blend = oit_object.z;\n"
+    "#endif\n"
+    "#if OIT_HAS_NORMAL\n"
+    "    f.normal = normal;\n"
+    "#endif\n"
+    "#if OIT_HAS_UV\n"
+    "    f.uv = vec2(0.0);\n"
+    "#endif\n"
+    "#if OIT_HOST_WORDS > 0\n"
+    "    for (int i = 0; i < OIT_HOST_WORDS; ++i)\n"
+    "        f.words[i] = 0u;\n"
+    "#endif\n"
+    "    oit_store(f);\n"
+    "}\n",
+    0};
+static const char *const oit_i_shader_oit_surface_vert[] = {
+    "#line 1\n"
+    "// For: oit_buffers.h\n"
+    "// Built-in surfaces, for hosts without shaders: position, normal, colour to be added.\n"
+    "layout(location = 0) in vec3 oit_position;\n"
+    "layout(location = 1) in vec3 oit_normal;\n"
+    "layout(location = 3) in vec4 oit_vertex_color;\n"
+    "uniform mat4 oit_model_view_projection;\n"
+    "uniform mat3 oit_normal_matrix;\n"
+    "out vec3 oit_v_normal;\n"
+    "out vec4 oit_v_color;\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    gl_Position = oit_model_view_projection * vec4(oit_position, 1.0);\n"
+    "    oit_v_normal = oit_normal_matrix * oit_normal;\n"
+    "    oit_v_color = oit_vertex_color;\n"
+    "}\n",
+    0};
+static const char *const oit_i_shader_oit_tail_frag[] = {
+    "#line 1\n"
+    "// For: oit_buffers.h\n"
+    "// The pixels whose runs did not fit, from the sums of oit_to_tail: layers of mean colour, as thick as all together.\n"
+    "layout(std430, binding = OIT_BINDING_PIXELS) readonly buffer oit_pixels { uint oit_pixel[]; };\n"
+    "#if OIT_MODE == OIT_MODE_DUAL\n"
+    "layout(location = 0, index = 0) out highp vec4 oit_out;\n"
+    "layout(location = 0, index = 1) out highp vec4 oit_keep;\n"
+    "#else\n"
+    "layout(location = 0) out highp vec4 oit_out;\n"
+    "#endif\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    ivec2 where = ivec2(gl_FragCoord.xy) - oit_area.xy;\n"
+    "    uint p = uint(where.y) * uint(oit_area.z) + uint(where.x);\n"
+    "    uint start = oit_pixel[OIT_START(p)], end = oit_pixel[OIT_START(p + 1u)];\n"
+    "    if (end <= oit_pool.z || end == start)\n"
+    "        discard;\n"
+    "    float unit = exp2(float(findMSB(end - start) - 25));\n"
+    "    uint at = OIT_TAIL(p);\n"
+    "    vec3 light = vec3(uvec3(oit_pixel[at], oit_pixel[at + 1u], oit_pixel[at + 2u])) * unit;\n"
+    "    float thickness = float(oit_pixel[at + 3u]) * unit;\n"
+    "    float through = exp(-thickness);\n"
+    "    // (1 - e^-t) / t, whose quotient loses its digits near 0.\n"
+    "    vec3 sum = light * (thickness > 1.0e-3 ? (1.0 - through) / thickness : 1.0 - 0.5 * thickness);\n"
+    "#if OIT_MODE == OIT_MODE_DUAL\n"
+    "    oit_out = vec4(sum, 0.0);\n"
+    "    oit_keep = vec4(vec3(oit_light.w * through), 0.0);\n"
+    "#elif OIT_MODE == OIT_MODE_FILTER\n"
+    "    oit_out = vec4(vec3(oit_light.w * through), 0.0);\n"
+    "#elif OIT_MODE == OIT_MODE_LIGHT\n"
+    "    oit_out = vec4(sum, 0.0);\n"
+    "#else\n"
+    "    oit_out = vec4(sum, oit_light.w * through);\n"
+    "#endif\n"
+    "}\n",
+    0};
+static const char *const oit_i_shader_oit_tops_comp[] = {
+    "#line 1\n"
+    "// For: oit_buffers.h\n"
+    "// The scan, second of three: sums of blocks become what lies before each block. One work group, whatever the size.\n"
+    "layout(local_size_x = 128) in;\n"
+    "layout(std430, binding = OIT_BINDING_PIXELS) buffer oit_pixels { uint oit_pixel[]; };\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    uint self = gl_LocalInvocationID.x;\n"
+    "    uint each = (oit_pool.w + 127u) / 128u;\n"
+    "    uint first = min(self * each, oit_pool.w), end = min(first + each, oit_pool.w);\n"
+    "    uint sum = 0u;\n"
+    "    for (uint b = first; b < end; ++b)\n"
+    "        sum = oit_add(sum, oit_pixel[OIT_SUM(b)]);\n"
+    "    uint before = oit_scan(self, sum);\n"
+    "    for (uint b = first; b < end; ++b) {\n"
+    "        uint here = oit_pixel[OIT_SUM(b)];\n"
+    "        oit_pixel[OIT_SUM(b)] = before;\n"
+    "        before = oit_add(before, here);\n"
+    "    }\n"
+    "    if (self == 127u) {\n"
+    "        oit_pixel[OIT_START(oit_pool.x)] = before;\n"
+    "        oit_pixel[OIT_TOTAL] = before;\n"
+    "        oit_pixel[OIT_NEEDED] = max(oit_pixel[OIT_NEEDED], before);\n"
+    "    }\n"
+    "}\n",
+    0};
+/* clang-format on */
 /* ==== end of generated shaders ==== */
+/* clang-format on */
 
 /* ---- GL: enumerants and the function table ---------------------------------------------------------------------- */
 
-#define OIT_I_GL_VERSION 0x1F02u
+#define OIT_I_GL_ACTIVE_UNIFORMS 0x8B86u
+#define OIT_I_GL_ALREADY_SIGNALED 0x911Au
+#define OIT_I_GL_BLEND 0x0BE2u
+#define OIT_I_GL_BLEND_DST_ALPHA 0x80CAu
+#define OIT_I_GL_BLEND_DST_RGB 0x80C8u
+#define OIT_I_GL_BLEND_EQUATION_ALPHA 0x883Du
+#define OIT_I_GL_BLEND_EQUATION_RGB 0x8009u
+#define OIT_I_GL_BLEND_SRC_ALPHA 0x80CBu
+#define OIT_I_GL_BLEND_SRC_RGB 0x80C9u
+#define OIT_I_GL_BUFFER_SIZE 0x8764u
+#define OIT_I_GL_BUFFER_UPDATE_BARRIER 0x00000200u
+#define OIT_I_GL_CLIP_DISTANCE0 0x3000u
+#define OIT_I_GL_COLOR_LOGIC_OP 0x0BF2u
+#define OIT_I_GL_COLOR_WRITEMASK 0x0C23u
+#define OIT_I_GL_COMPILE_STATUS 0x8B81u
+#define OIT_I_GL_COMPUTE_SHADER 0x91B9u
+#define OIT_I_GL_CONDITION_SATISFIED 0x911Cu
+#define OIT_I_GL_COPY_WRITE_BUFFER 0x8F37u
+#define OIT_I_GL_CULL_FACE 0x0B44u
+#define OIT_I_GL_CURRENT_PROGRAM 0x8B8Du
+#define OIT_I_GL_DEPTH_CLAMP 0x864Fu
+#define OIT_I_GL_DEPTH_FUNC 0x0B74u
+#define OIT_I_GL_DEPTH_RANGE 0x0B70u
+#define OIT_I_GL_DEPTH_TEST 0x0B71u
+#define OIT_I_GL_DEPTH_WRITEMASK 0x0B72u
+#define OIT_I_GL_DITHER 0x0BD0u
+#define OIT_I_GL_DRAW_FRAMEBUFFER 0x8CA9u
+#define OIT_I_GL_DRAW_FRAMEBUFFER_BINDING 0x8CA6u
+#define OIT_I_GL_DYNAMIC_COPY 0x88EAu
+#define OIT_I_GL_DYNAMIC_DRAW 0x88E8u
+#define OIT_I_GL_DYNAMIC_READ 0x88E9u
 #define OIT_I_GL_EXTENSIONS 0x1F03u
-#define OIT_I_GL_NUM_EXTENSIONS 0x821Du
-#define OIT_I_GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS 0x90DAu
-#define OIT_I_GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS 0x90DBu
-#define OIT_I_GL_MAX_SHADER_STORAGE_BLOCK_SIZE 0x90DEu
+#define OIT_I_GL_FILL 0x1B02u
+#define OIT_I_GL_FRAGMENT_SHADER 0x8B30u
+#define OIT_I_GL_FRAMEBUFFER_COMPLETE 0x8CD5u
+#define OIT_I_GL_FRONT_AND_BACK 0x0408u
+#define OIT_I_GL_FUNC_ADD 0x8006u
+#define OIT_I_GL_GREATER 0x0204u
+#define OIT_I_GL_LESS 0x0201u
+#define OIT_I_GL_LINK_STATUS 0x8B82u
+#define OIT_I_GL_MAP_READ_BIT 0x0001u
+#define OIT_I_GL_MAX_CLIP_DISTANCES 0x0D32u
 #define OIT_I_GL_MAX_COMBINED_SHADER_OUTPUT_RESOURCES 0x8F39u
+#define OIT_I_GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS 0x90DBu
 #define OIT_I_GL_MAX_COMPUTE_WORK_GROUP_INVOCATIONS 0x90EBu
+#define OIT_I_GL_MAX_DRAW_BUFFERS 0x8824u
+#define OIT_I_GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS 0x90DAu
+#define OIT_I_GL_MAX_SHADER_STORAGE_BLOCK_SIZE 0x90DEu
+#define OIT_I_GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS 0x90DDu
+#define OIT_I_GL_MAX_UNIFORM_BUFFER_BINDINGS 0x8A2Fu
+#define OIT_I_GL_MAX_VIEWPORTS 0x825Bu
+#define OIT_I_GL_MAX_VIEWPORT_DIMS 0x0D3Au
+#define OIT_I_GL_NUM_EXTENSIONS 0x821Du
+#define OIT_I_GL_ONE 1u
+#define OIT_I_GL_POLYGON_MODE 0x0B40u
+#define OIT_I_GL_POLYGON_OFFSET_FILL 0x8037u
+#define OIT_I_GL_POLYGON_OFFSET_LINE 0x2A02u
+#define OIT_I_GL_POLYGON_OFFSET_POINT 0x2A01u
+#define OIT_I_GL_RASTERIZER_DISCARD 0x8C89u
+#define OIT_I_GL_SAMPLES 0x80A9u
+#define OIT_I_GL_SAMPLE_ALPHA_TO_COVERAGE 0x809Eu
+#define OIT_I_GL_SAMPLE_COVERAGE 0x80A0u
+#define OIT_I_GL_SAMPLE_MASK 0x8E51u
+#define OIT_I_GL_SCISSOR_BOX 0x0C10u
+#define OIT_I_GL_SCISSOR_TEST 0x0C11u
+#define OIT_I_GL_SHADER_STORAGE_BARRIER 0x00002000u
+#define OIT_I_GL_SHADER_STORAGE_BUFFER 0x90D2u
+#define OIT_I_GL_SHADER_STORAGE_BUFFER_BINDING 0x90D3u
+#define OIT_I_GL_SHADER_STORAGE_BUFFER_SIZE 0x90D5u
+#define OIT_I_GL_SHADER_STORAGE_BUFFER_START 0x90D4u
+#define OIT_I_GL_SRC1_COLOR 0x88F9u
+#define OIT_I_GL_SRC_ALPHA 0x0302u
+#define OIT_I_GL_SRC_COLOR 0x0300u
+#define OIT_I_GL_STENCIL_TEST 0x0B90u
+#define OIT_I_GL_SYNC_FLUSH_COMMANDS_BIT 0x0001u
+#define OIT_I_GL_SYNC_GPU_COMMANDS_COMPLETE 0x9117u
+#define OIT_I_GL_TRIANGLES 0x0004u
+#define OIT_I_GL_UNIFORM_BUFFER 0x8A11u
+#define OIT_I_GL_UNIFORM_BUFFER_BINDING 0x8A28u
+#define OIT_I_GL_UNIFORM_BUFFER_SIZE 0x8A2Au
+#define OIT_I_GL_UNIFORM_BUFFER_START 0x8A29u
+#define OIT_I_GL_VERSION 0x1F02u
+#define OIT_I_GL_VERTEX_ARRAY_BINDING 0x85B5u
+#define OIT_I_GL_VERTEX_SHADER 0x8B31u
+#define OIT_I_GL_VIEWPORT 0x0BA2u
+#define OIT_I_GL_ZERO 0u
 
-/* X(result type, name without gl, parameters), with C's types for GL's of the same size. */
+typedef uint32_t oit_i_u;
+typedef const char *const *oit_i_strings;
+
+/* X(result type, name without gl, parameters), with C's types for GL's of the same size. What oit_create asks with. */
 #define OIT_I_GL_QUERIES(X)                                                                                            \
-    X(const unsigned char *, GetString, (uint32_t))                                                                    \
-    X(const unsigned char *, GetStringi, (uint32_t, uint32_t))                                                         \
-    X(void, GetIntegerv, (uint32_t, int32_t *))                                                                        \
-    X(void, GetInteger64v, (uint32_t, int64_t *))
+    X(const unsigned char *, GetString, (oit_i_u))                                                                     \
+    X(const unsigned char *, GetStringi, (oit_i_u, oit_i_u))                                                           \
+    X(void, GetIntegerv, (oit_i_u, int32_t *))                                                                         \
+    X(void, GetInteger64v, (oit_i_u, int64_t *))
 
-/* What fills and reads the buffers. */
-#define OIT_I_GL_BUFFERS(X)                                                                                            \
-    X(void, BindBufferBase, (uint32_t, uint32_t, uint32_t))                                                            \
-    X(void, BindImageTexture, (uint32_t, uint32_t, int32_t, unsigned char, int32_t, uint32_t, uint32_t))               \
-    X(void, BufferData, (uint32_t, ptrdiff_t, const void *, uint32_t))                                                 \
-    X(void, DeleteBuffers, (int32_t, const uint32_t *))                                                                \
-    X(void, DispatchCompute, (uint32_t, uint32_t, uint32_t))                                                           \
-    X(void, GenBuffers, (int32_t, uint32_t *))                                                                         \
-    X(void, MemoryBarrier, (uint32_t))
+#define OIT_I_GL_REQUIRED(X)                                                                                           \
+    X(void, AttachShader, (oit_i_u, oit_i_u))                                                                          \
+    X(void, BindBuffer, (oit_i_u, oit_i_u))                                                                            \
+    X(void, BindBufferBase, (oit_i_u, oit_i_u, oit_i_u))                                                               \
+    X(void, BindBufferRange, (oit_i_u, oit_i_u, oit_i_u, ptrdiff_t, ptrdiff_t))                                        \
+    X(void, BindFramebuffer, (oit_i_u, oit_i_u))                                                                       \
+    X(void, BindVertexArray, (oit_i_u))                                                                                \
+    X(void, BlendEquationSeparate, (oit_i_u, oit_i_u))                                                                 \
+    X(void, BlendFuncSeparate, (oit_i_u, oit_i_u, oit_i_u, oit_i_u))                                                   \
+    X(void, BufferData, (oit_i_u, ptrdiff_t, const void *, oit_i_u))                                                   \
+    X(void, BufferSubData, (oit_i_u, ptrdiff_t, ptrdiff_t, const void *))                                              \
+    X(oit_i_u, CheckFramebufferStatus, (oit_i_u))                                                                      \
+    X(oit_i_u, ClientWaitSync, (oit_i_sync, oit_i_u, uint64_t))                                                        \
+    X(void, ColorMask, (unsigned char, unsigned char, unsigned char, unsigned char))                                   \
+    X(void, CompileShader, (oit_i_u))                                                                                  \
+    X(oit_i_u, CreateProgram, (void))                                                                                  \
+    X(oit_i_u, CreateShader, (oit_i_u))                                                                                \
+    X(void, DeleteBuffers, (int32_t, const oit_i_u *))                                                                 \
+    X(void, DeleteProgram, (oit_i_u))                                                                                  \
+    X(void, DeleteShader, (oit_i_u))                                                                                   \
+    X(void, DeleteSync, (oit_i_sync))                                                                                  \
+    X(void, DeleteVertexArrays, (int32_t, const oit_i_u *))                                                            \
+    X(void, DepthFunc, (oit_i_u))                                                                                      \
+    X(void, DepthMask, (unsigned char))                                                                                \
+    X(void, Disable, (oit_i_u))                                                                                        \
+    X(void, DispatchCompute, (oit_i_u, oit_i_u, oit_i_u))                                                              \
+    X(void, DrawArrays, (oit_i_u, int32_t, int32_t))                                                                   \
+    X(void, Enable, (oit_i_u))                                                                                         \
+    X(oit_i_sync, FenceSync, (oit_i_u, oit_i_u))                                                                       \
+    X(void, GenBuffers, (int32_t, oit_i_u *))                                                                          \
+    X(void, GenVertexArrays, (int32_t, oit_i_u *))                                                                     \
+    X(void, GetBooleanv, (oit_i_u, unsigned char *))                                                                   \
+    X(void, GetBufferParameteri64v, (oit_i_u, oit_i_u, int64_t *))                                                     \
+    X(void, GetFloatv, (oit_i_u, float *))                                                                             \
+    X(void, GetInteger64i_v, (oit_i_u, oit_i_u, int64_t *))                                                            \
+    X(void, GetIntegeri_v, (oit_i_u, oit_i_u, int32_t *))                                                              \
+    X(void, GetProgramInfoLog, (oit_i_u, int32_t, int32_t *, char *))                                                  \
+    X(void, GetProgramiv, (oit_i_u, oit_i_u, int32_t *))                                                               \
+    X(void, GetShaderInfoLog, (oit_i_u, int32_t, int32_t *, char *))                                                   \
+    X(void, GetShaderiv, (oit_i_u, oit_i_u, int32_t *))                                                                \
+    X(int32_t, GetUniformLocation, (oit_i_u, const char *))                                                            \
+    X(unsigned char, IsEnabled, (oit_i_u))                                                                             \
+    X(unsigned char, IsProgram, (oit_i_u))                                                                             \
+    X(void, LinkProgram, (oit_i_u))                                                                                    \
+    X(void *, MapBufferRange, (oit_i_u, ptrdiff_t, ptrdiff_t, oit_i_u))                                                \
+    X(void, MemoryBarrier, (oit_i_u))                                                                                  \
+    X(void, Scissor, (int32_t, int32_t, int32_t, int32_t))                                                             \
+    X(void, ShaderSource, (oit_i_u, int32_t, const char *const *, const int32_t *))                                    \
+    X(void, Uniform4fv, (int32_t, int32_t, const float *))                                                             \
+    X(void, Uniform4uiv, (int32_t, int32_t, const oit_i_u *))                                                          \
+    X(void, UniformMatrix3fv, (int32_t, int32_t, unsigned char, const float *))                                        \
+    X(void, UniformMatrix4fv, (int32_t, int32_t, unsigned char, const float *))                                        \
+    X(unsigned char, UnmapBuffer, (oit_i_u))                                                                           \
+    X(void, UseProgram, (oit_i_u))                                                                                     \
+    X(void, Viewport, (int32_t, int32_t, int32_t, int32_t))
+
+/* Desktop GL: by 4.3 all of this is there. */
+#define OIT_I_GL_DESKTOP(X)                                                                                            \
+    X(void, DepthRangeIndexed, (oit_i_u, double, double))                                                              \
+    X(void, GetDoublei_v, (oit_i_u, oit_i_u, double *))                                                                \
+    X(void, GetFloati_v, (oit_i_u, oit_i_u, float *))                                                                  \
+    X(void, PolygonMode, (oit_i_u, oit_i_u))                                                                           \
+    X(void, ScissorIndexed, (oit_i_u, int32_t, int32_t, int32_t, int32_t))                                             \
+    X(void, ViewportIndexedf, (oit_i_u, float, float, float, float))
+
+/* Desktop GL, and ES from 3.2: blending, masks and switches by draw buffer. */
+#define OIT_I_GL_INDEXED(X)                                                                                            \
+    X(void, BlendEquationSeparatei, (oit_i_u, oit_i_u, oit_i_u))                                                       \
+    X(void, BlendFuncSeparatei, (oit_i_u, oit_i_u, oit_i_u, oit_i_u, oit_i_u))                                         \
+    X(void, ColorMaski, (oit_i_u, unsigned char, unsigned char, unsigned char, unsigned char))                         \
+    X(void, Disablei, (oit_i_u, oit_i_u))                                                                              \
+    X(void, Enablei, (oit_i_u, oit_i_u))                                                                               \
+    X(void, GetBooleani_v, (oit_i_u, oit_i_u, unsigned char *))                                                        \
+    X(unsigned char, IsEnabledi, (oit_i_u, oit_i_u))
+
+#define OIT_I_GL_ES(X) X(void, DepthRangef, (float, float))
+
+typedef void *oit_i_sync;
 
 /* Members are pasted names, because <windows.h> has a macro for one of them. */
 typedef struct oit_i_gl {
 #define OIT_I_MEMBER(type, name, parameters) type(OIT_I_GLAPI *gl_##name) parameters;
     OIT_I_GL_QUERIES(OIT_I_MEMBER)
-    OIT_I_GL_BUFFERS(OIT_I_MEMBER)
+    OIT_I_GL_REQUIRED(OIT_I_MEMBER)
+    OIT_I_GL_DESKTOP(OIT_I_MEMBER)
+    OIT_I_GL_INDEXED(OIT_I_MEMBER)
+    OIT_I_GL_ES(OIT_I_MEMBER)
 #undef OIT_I_MEMBER
 } oit_i_gl;
+
+/* ---- the context ------------------------------------------------------------------------------------------------ */
+
+/* Buffers; the first three by their binding points. */
+enum { OIT_I_PIXELS, OIT_I_FRAGMENTS, OIT_I_REPORT, OIT_I_UNIFORMS = OIT_I_REPORT + 3, OIT_I_BUFFER_COUNT };
+#define OIT_I_REPORTS 3
+
+/* Runs are composed by programs for so many fragments, the last for all that are deeper. */
+#define OIT_I_CLASSES 6
+static const int oit_i_class_sizes[OIT_I_CLASSES] = {4, 8, 16, 32, 64, 32};
+static const int oit_i_class_above[OIT_I_CLASSES] = {0, 4, 8, 16, 32, 64};
+
+/* How a composed pixel goes into the target. */
+enum {
+    OIT_I_MODE_OVER,   /* light and what is kept of the background, one number for all channels */
+    OIT_I_MODE_DUAL,   /* one for each channel, by dual-source blending */
+    OIT_I_MODE_FILTER, /* the same in two draws, first what is kept */
+    OIT_I_MODE_LIGHT
+};
+
+enum {
+    OIT_I_PROGRAM_CLEAR,
+    OIT_I_PROGRAM_SUM,
+    OIT_I_PROGRAM_TOPS,
+    OIT_I_PROGRAM_SPREAD,
+    OIT_I_PROGRAM_REPORT,
+    OIT_I_PROGRAM_COUNT,
+    OIT_I_PROGRAM_FILL,
+    OIT_I_PROGRAM_COMPOSE, /* one a class, then that of the tail; all once more for the second draw */
+    OIT_I_PROGRAMS = OIT_I_PROGRAM_COMPOSE + 2 * (OIT_I_CLASSES + 1)
+};
+
+typedef struct oit_i_surface {
+    int32_t model_view_projection, normal_matrix, color, object;
+} oit_i_surface;
+
+/* The uniform block oit_frame of shaders/oit_frame_block.glsl, std140. */
+typedef struct oit_i_block {
+    int32_t area[4];
+    oit_i_u pool[4], step[4];
+    float light[4];
+} oit_i_block;
+
+#define OIT_I_HEADER_WORDS 16
+#define OIT_I_SCAN_BLOCK 1024
+#define OIT_I_STORAGE_BINDINGS 3
+#define OIT_I_MAX_DRAW_BUFFERS 8
+#define OIT_I_MAX_CLIP_DISTANCES 8
+#define OIT_I_MAX_VIEWPORTS 16
+#define OIT_I_CAP_COUNT 14
+
+/* A binding point of a buffer with its range. */
+typedef struct oit_i_binding {
+    int32_t buffer;
+    int64_t start, size;
+} oit_i_binding;
+
+/* State that a frame changes: exactly what OIT_STATE_RESTORE puts back. */
+typedef struct oit_i_snapshot {
+    int32_t program, vertex_array, framebuffer;
+    unsigned char caps[OIT_I_CAP_COUNT], clip_distances[OIT_I_MAX_CLIP_DISTANCES];
+    unsigned char scissors[OIT_I_MAX_VIEWPORTS];
+    unsigned char depth_mask, color_masks[OIT_I_MAX_DRAW_BUFFERS][4], blend;
+    int32_t depth_func, polygon_mode[2], scissor[4];
+    float viewport[4];
+    double depth_range[2];
+    int32_t blend_func[4], blend_equation[2];
+    oit_i_binding storage[OIT_I_STORAGE_BINDINGS], uniforms;
+    int32_t storage_buffer, uniform_buffer, copy_buffer;
+} oit_i_snapshot;
+
+/* Where a frame stands: the next thing to be done. */
+typedef enum oit_i_step {
+    OIT_I_STEP_CLEAR,
+    OIT_I_STEP_COUNT,
+    OIT_I_STEP_SUM,
+    OIT_I_STEP_TOPS,
+    OIT_I_STEP_SPREAD,
+    OIT_I_STEP_MEASURE, /* OIT_FIT_WAIT: totals to the report, and read */
+    OIT_I_STEP_FILL,
+    OIT_I_STEP_FILLED, /* what is stored is the last part, and waits for oit_compose */
+    OIT_I_STEP_COMPOSE,
+    OIT_I_STEP_REPORT,
+    OIT_I_STEP_DONE
+} oit_i_step;
+
+#define OIT_I_MAX_STRINGS 24
+#define OIT_I_MAX_PREAMBLE 1400
 
 struct oit_context {
     oit_desc desc;
     oit_info info;
     oit_i_gl gl;
+    int has_indexed, has_dual, viewports, draw_buffers, clip_distances;
+    int32_t max_viewport[2];
+    char preamble[OIT_I_MAX_PREAMBLE];
+    const char *strings[OIT_STAGE_COUNT][2][OIT_I_MAX_STRINGS];
+    int string_count[OIT_STAGE_COUNT][2];
+    oit_i_u programs[OIT_I_PROGRAMS];
+    oit_i_surface surfaces[2];
+    oit_i_u buffers[OIT_I_BUFFER_COUNT], vertex_array;
+    int64_t sizes[OIT_I_BUFFER_COUNT]; /* bytes held */
+    oit_i_block block;                 /* as uploaded */
+    oit_i_u capacity;                  /* fragments that the pool holds */
+    int small_needs;                   /* reports in a row that needed much less */
+    uint64_t frame_number;
+    oit_report report, pending[OIT_I_REPORTS]; /* known; by slot, what is not read back */
+    oit_i_sync fences[OIT_I_REPORTS];
+    int slot; /* of the frame's report; -1: none is free */
+    oit_i_snapshot saved;
+    oit_frame frame;
+    oit_i_step step;
+    oit_result failure; /* of this frame */
+    int rows, slab_y, slab_rows;
+    int part[4];             /* x, y, width, height of the band within the slab */
+    oit_i_u part_start;      /* its first fragment */
+    oit_i_u needed, deepest; /* of the slab; OIT_FIT_WAIT */
+    int compose_index;
+    oit_i_u bands;
+    int in_frame, saved_state;
 };
 
 /* ---- text without stdio ----------------------------------------------------------------------------------------- */
 
-/* Long enough for every message; a longer one is cut. */
+/* Appended to what is there; cut where it is full. */
 typedef struct oit_i_text {
-    char text[384];
-    size_t length;
+    char *at;
+    size_t capacity, length;
 } oit_i_text;
 
+static oit_i_text oit_i_text_in(char *at, size_t capacity) {
+    oit_i_text text;
+    text.at = at;
+    text.capacity = capacity;
+    text.length = 0;
+    at[0] = 0;
+    return text;
+}
+
 static void oit_i_put(oit_i_text *to, const char *string) {
-    for (; *string && to->length + 1 < sizeof to->text; ++string)
-        to->text[to->length++] = *string;
-    to->text[to->length] = 0;
+    for (; *string && to->length + 1 < to->capacity; ++string)
+        to->at[to->length++] = *string;
+    to->at[to->length] = 0;
 }
 
 static void oit_i_put_number(oit_i_text *to, int64_t number) {
@@ -257,56 +1395,120 @@ static void oit_i_put_version(oit_i_text *to, int es, int version) {
     oit_i_put_number(to, version / 10 % 10);
 }
 
-static oit_i_text oit_i_begin_text(void) {
+/* "function: ...", in a buffer for one message. */
+typedef struct oit_i_message {
+    char buffer[2400];
     oit_i_text text;
-    text.length = 0;
-    oit_i_put(&text, "oit_create: ");
-    return text;
+} oit_i_message;
+
+static oit_i_text *oit_i_say(oit_i_message *message, const char *function, const char *what) {
+    message->text = oit_i_text_in(message->buffer, sizeof message->buffer);
+    oit_i_put(&message->text, function);
+    oit_i_put(&message->text, ": ");
+    oit_i_put(&message->text, what);
+    return &message->text;
+}
+
+static void oit_i_log(const oit_desc *desc, oit_log_level level, oit_result code, const oit_i_message *message) {
+    if (desc->log_fn)
+        desc->log_fn(level, code, message->buffer, desc->log_user);
+}
+
+static oit_result oit_i_fail(const oit_desc *desc, oit_result code, const char *function, const char *what) {
+    oit_i_message message;
+    oit_i_say(&message, function, what);
+    oit_i_log(desc, OIT_LOG_ERROR, code, &message);
+    return code;
 }
 
 /* Says why the context is refused, and what can be had instead. */
-static oit_result oit_i_refuse(const oit_desc *desc, oit_result code, oit_i_text *text) {
-    if (code == OIT_GL_TOO_OLD || code == OIT_MISSING_FUNCTION || code == OIT_LIMIT_TOO_SMALL)
-        oit_i_put(text, "; transparency.h needs only OpenGL 3.3 or OpenGL ES 3.0");
-    if (desc->log_fn)
-        desc->log_fn(OIT_LOG_ERROR, code, text->text, desc->log_user);
+static oit_result oit_i_refuse(const oit_desc *desc, oit_result code, oit_i_message *message) {
+    oit_i_put(&message->text, "; layers(n) of transparency.h needs only OpenGL 3.3 or OpenGL ES 3.0");
+    oit_i_log(desc, OIT_LOG_ERROR, code, message);
     return code;
+}
+
+OIT_I_API const char *oit_result_string(oit_result result) {
+    static const char *const strings[] = {
+#define OIT_I_STRING(name, text) text,
+        OIT_RESULTS(OIT_I_STRING)
+#undef OIT_I_STRING
+    };
+    return (unsigned)result < (unsigned)OIT_RESULT_COUNT ? strings[result] : "not a result";
+}
+
+OIT_I_API const char *oit_pass_kind_name(oit_pass_kind kind) {
+    static const char *const names[OIT_PASS_KIND_COUNT] = {"clear",  "count",  "sum",  "tops",
+                                                           "spread", "report", "fill", "compose"};
+    return (unsigned)kind < (unsigned)OIT_PASS_KIND_COUNT ? names[kind] : "not a pass";
 }
 
 /* ---- what the context has --------------------------------------------------------------------------------------- */
 
 static oit_result oit_i_lacks_function(const oit_desc *desc, const char *name) {
-    oit_i_text text = oit_i_begin_text();
-    oit_i_put(&text, name);
-    oit_i_put(&text, " is missing");
-    return oit_i_refuse(desc, OIT_MISSING_FUNCTION, &text);
+    oit_i_message message;
+    oit_i_put(oit_i_say(&message, "oit_create", name), " is missing");
+    return oit_i_refuse(desc, OIT_MISSING_FUNCTION, &message);
 }
 
-/* The name is pasted before it can be expanded, so that a loader's macros for gl names work. */
-#ifdef OIT_GL_STATIC
-#define OIT_I_GET(type, name, parameters) gl->gl_##name = gl##name;
-#else
-#define OIT_I_GET(type, name, parameters) gl->gl_##name = (type(OIT_I_GLAPI *) parameters)desc->get_proc("gl" #name);
-#endif
 #define OIT_I_CHECK(type, name, parameters)                                                                            \
     if (!gl->gl_##name)                                                                                                \
         result = oit_i_lacks_function(desc, "gl" #name);
 
-static oit_result oit_i_load_queries(const oit_desc *desc, oit_i_gl *gl) {
+#ifdef OIT_GL_STATIC
+/* The names that the host's GL header declares; its version macros say which there are. */
+static void oit_i_load(const oit_desc *desc, oit_i_gl *gl) {
+#define OIT_I_TAKE(type, name, parameters) gl->gl_##name = (type(OIT_I_GLAPI *) parameters)(oit_proc)gl##name;
+    (void)desc;
+    OIT_I_GL_QUERIES(OIT_I_TAKE)
+    OIT_I_GL_REQUIRED(OIT_I_TAKE)
+#if defined(GL_VERSION_4_1)
+    OIT_I_GL_DESKTOP(OIT_I_TAKE)
+#endif
+#if defined(GL_VERSION_4_1) || defined(GL_ES_VERSION_2_0)
+    OIT_I_GL_ES(OIT_I_TAKE)
+#endif
+#if defined(GL_VERSION_4_0) || defined(GL_ES_VERSION_3_2)
+    OIT_I_GL_INDEXED(OIT_I_TAKE)
+#endif
+#undef OIT_I_TAKE
+}
+#else
+static void oit_i_load(const oit_desc *desc, oit_i_gl *gl) {
+#define OIT_I_TAKE(type, name, parameters) gl->gl_##name = (type(OIT_I_GLAPI *) parameters)desc->get_proc("gl" #name);
+    OIT_I_GL_QUERIES(OIT_I_TAKE)
+    OIT_I_GL_REQUIRED(OIT_I_TAKE)
+    OIT_I_GL_DESKTOP(OIT_I_TAKE)
+    OIT_I_GL_INDEXED(OIT_I_TAKE)
+    OIT_I_GL_ES(OIT_I_TAKE)
+#undef OIT_I_TAKE
+}
+#endif
+
+/* All that are missing are named. */
+static oit_result oit_i_check_queries(const oit_desc *desc, const oit_i_gl *gl) {
     oit_result result = OIT_OK;
-    OIT_I_GL_QUERIES(OIT_I_GET)
     OIT_I_GL_QUERIES(OIT_I_CHECK)
     return result;
 }
 
-/* All that are missing are named. */
-static oit_result oit_i_load_buffers(const oit_desc *desc, oit_i_gl *gl) {
+/* A function that an older context need not have is only asked for where the version has it. */
+static oit_result oit_i_check_functions(oit_context *oit) {
+    const oit_desc *desc = &oit->desc;
+    const oit_i_gl *gl = &oit->gl;
     oit_result result = OIT_OK;
-    OIT_I_GL_BUFFERS(OIT_I_GET)
-    OIT_I_GL_BUFFERS(OIT_I_CHECK)
+    OIT_I_GL_REQUIRED(OIT_I_CHECK)
+    if (oit->info.es) {
+        OIT_I_GL_ES(OIT_I_CHECK)
+    } else {
+        OIT_I_GL_DESKTOP(OIT_I_CHECK)
+    }
+    oit->has_indexed = !oit->info.es || oit->info.version >= 320;
+    if (oit->has_indexed) {
+        OIT_I_GL_INDEXED(OIT_I_CHECK)
+    }
     return result;
 }
-#undef OIT_I_GET
 #undef OIT_I_CHECK
 
 static int oit_i_is_digit(char c) {
@@ -330,35 +1532,40 @@ static int oit_i_parse_version(const char *text, oit_info *info) {
     return 1;
 }
 
-static oit_result oit_i_find_version(const oit_desc *desc, const oit_i_gl *gl, oit_info *info) {
-    const char *string = (const char *)gl->gl_GetString(OIT_I_GL_VERSION);
-    oit_i_text text = oit_i_begin_text();
+static oit_result oit_i_find_version(oit_context *oit) {
+    const oit_desc *desc = &oit->desc;
+    oit_info *info = &oit->info;
+    const char *string = (const char *)oit->gl.gl_GetString(OIT_I_GL_VERSION);
+    oit_i_message message;
+    oit_i_text *text;
     if (!string) {
-        oit_i_put(&text, "there is no GL_VERSION; is a context current?");
-        return oit_i_refuse(desc, OIT_GL_TOO_OLD, &text);
+        oit_i_say(&message, "oit_create", "there is no GL_VERSION; is a context current?");
+        return oit_i_refuse(desc, OIT_GL_TOO_OLD, &message);
     }
     if (!oit_i_parse_version(string, info)) {
-        oit_i_put(&text, "no version can be read from GL_VERSION \"");
-        oit_i_put(&text, string);
-        oit_i_put(&text, "\"");
-        return oit_i_refuse(desc, OIT_GL_TOO_OLD, &text);
+        text = oit_i_say(&message, "oit_create", "no version can be read from GL_VERSION \"");
+        text->capacity = 320; /* of a string without an end in sight this much tells enough */
+        oit_i_put(text, string);
+        text->capacity = sizeof message.buffer;
+        oit_i_put(text, "\"");
+        return oit_i_refuse(desc, OIT_GL_TOO_OLD, &message);
     }
-    oit_i_put(&text, "found ");
-    oit_i_put_version(&text, info->es, info->version);
+    text = oit_i_say(&message, "oit_create", "found ");
+    oit_i_put_version(text, info->es, info->version);
     if (desc->max_gl_version > 0 && info->version > desc->max_gl_version) {
         info->version = desc->max_gl_version;
-        oit_i_put(&text, ", used as ");
-        oit_i_put_version(&text, info->es, info->version);
+        oit_i_put(text, ", used as ");
+        oit_i_put_version(text, info->es, info->version);
     }
-    oit_i_put(&text, "; needed is OpenGL 4.3 or OpenGL ES 3.1");
-    return info->version < (info->es ? 310 : 430) ? oit_i_refuse(desc, OIT_GL_TOO_OLD, &text) : OIT_OK;
+    oit_i_put(text, "; needed is OpenGL 4.3 or OpenGL ES 3.1");
+    return info->version < (info->es ? 310 : 430) ? oit_i_refuse(desc, OIT_GL_TOO_OLD, &message) : OIT_OK;
 }
 
 static int oit_i_has_extension(const oit_i_gl *gl, const char *name) {
     int32_t count = 0, i;
     gl->gl_GetIntegerv(OIT_I_GL_NUM_EXTENSIONS, &count);
     for (i = 0; i < count; ++i) {
-        const char *extension = (const char *)gl->gl_GetStringi(OIT_I_GL_EXTENSIONS, (uint32_t)i);
+        const char *extension = (const char *)gl->gl_GetStringi(OIT_I_GL_EXTENSIONS, (oit_i_u)i);
         if (extension && strcmp(extension, name) == 0)
             return 1;
     }
@@ -366,15 +1573,15 @@ static int oit_i_has_extension(const oit_i_gl *gl, const char *name) {
 }
 
 static oit_result oit_i_check_limit(const oit_desc *desc, const char *name, int64_t found, int64_t needed) {
-    oit_i_text text = oit_i_begin_text();
+    oit_i_message message;
+    oit_i_text *text = oit_i_say(&message, "oit_create", name);
     if (found >= needed)
         return OIT_OK;
-    oit_i_put(&text, name);
-    oit_i_put(&text, " is ");
-    oit_i_put_number(&text, found);
-    oit_i_put(&text, "; needed is ");
-    oit_i_put_number(&text, needed);
-    return oit_i_refuse(desc, OIT_LIMIT_TOO_SMALL, &text);
+    oit_i_put(text, " is ");
+    oit_i_put_number(text, found);
+    oit_i_put(text, "; needed is ");
+    oit_i_put_number(text, needed);
+    return oit_i_refuse(desc, OIT_LIMIT_TOO_SMALL, &message);
 }
 
 /* X(member of oit_info, name without GL_MAX_, least value) */
@@ -384,8 +1591,13 @@ static oit_result oit_i_check_limit(const oit_desc *desc, const char *name, int6
     X(combined_outputs, COMBINED_SHADER_OUTPUT_RESOURCES, 4)                                                           \
     X(compute_invocations, COMPUTE_WORK_GROUP_INVOCATIONS, 128)
 
+#define OIT_I_LEAST_BLOCK ((int64_t)1 << 24)
+
 /* All limits that are too small are named. The size of blocks may be beyond 32 bits. */
-static oit_result oit_i_find_limits(const oit_desc *desc, const oit_i_gl *gl, oit_info *info) {
+static oit_result oit_i_find_limits(oit_context *oit) {
+    const oit_desc *desc = &oit->desc;
+    const oit_i_gl *gl = &oit->gl;
+    oit_info *info = &oit->info;
     oit_result result = OIT_OK;
     int32_t value;
 #define OIT_I_LIMIT(member, name, least)                                                                               \
@@ -397,102 +1609,1561 @@ static oit_result oit_i_find_limits(const oit_desc *desc, const oit_i_gl *gl, oi
     OIT_I_LIMITS(OIT_I_LIMIT)
 #undef OIT_I_LIMIT
     gl->gl_GetInteger64v(OIT_I_GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &info->storage_block_bytes);
-    if (oit_i_check_limit(desc, "GL_MAX_SHADER_STORAGE_BLOCK_SIZE", info->storage_block_bytes, 1 << 24) != OIT_OK)
+    if (oit_i_check_limit(desc, "GL_MAX_SHADER_STORAGE_BLOCK_SIZE", info->storage_block_bytes, OIT_I_LEAST_BLOCK) !=
+        OIT_OK)
         result = OIT_LIMIT_TOO_SMALL;
     /* All of desktop GL that comes as far as this is newer. */
     info->image_atomics = info->version >= 320 || oit_i_has_extension(gl, "GL_OES_shader_image_atomic");
+    oit->has_dual = !info->es;
     return result;
 }
 
-static oit_result oit_i_check_desc(const oit_desc *desc) {
-    oit_i_text text = oit_i_begin_text();
-    if (!desc)
-        return OIT_INVALID_ARGUMENT;
+static int32_t oit_i_limit(const oit_context *oit, oit_i_u name, int32_t most) {
+    int32_t value = 0;
+    oit->gl.gl_GetIntegerv(name, &value);
+    return value < 0 ? 0 : value > most ? most : value;
+}
+
+static oit_result oit_i_check_bindings(oit_context *oit) {
+    int32_t storage = oit_i_limit(oit, OIT_I_GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS, 1 << 20);
+    int32_t uniforms = oit_i_limit(oit, OIT_I_GL_MAX_UNIFORM_BUFFER_BINDINGS, 1 << 20);
+    if (oit->desc.uniform_binding == 0)
+        oit->desc.uniform_binding = 14;
+    if (oit->desc.first_storage_binding < 0 || oit->desc.first_storage_binding > storage - OIT_I_STORAGE_BINDINGS)
+        return oit_i_fail(&oit->desc, OIT_INVALID_ARGUMENT, "oit_create",
+                          "first_storage_binding is beyond GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS");
+    if (oit->desc.uniform_binding < 0 || oit->desc.uniform_binding >= uniforms)
+        return oit_i_fail(&oit->desc, OIT_INVALID_ARGUMENT, "oit_create",
+                          "uniform_binding is beyond GL_MAX_UNIFORM_BUFFER_BINDINGS");
+    return OIT_OK;
+}
+
+static void oit_i_find_state_limits(oit_context *oit) {
+    oit->draw_buffers = oit->has_indexed ? oit_i_limit(oit, OIT_I_GL_MAX_DRAW_BUFFERS, OIT_I_MAX_DRAW_BUFFERS) : 1;
+    if (!oit->info.es) {
+        oit->viewports = oit_i_limit(oit, OIT_I_GL_MAX_VIEWPORTS, OIT_I_MAX_VIEWPORTS);
+        oit->clip_distances = oit_i_limit(oit, OIT_I_GL_MAX_CLIP_DISTANCES, OIT_I_MAX_CLIP_DISTANCES);
+    }
+    oit->gl.gl_GetIntegerv(OIT_I_GL_MAX_VIEWPORT_DIMS, oit->max_viewport);
+}
+
+static const char *oit_i_bad_member(const oit_desc *desc) {
 #ifndef OIT_GL_STATIC
-    if (!desc->get_proc) {
-        oit_i_put(&text, "get_proc is missing");
-        return oit_i_refuse(desc, OIT_INVALID_ARGUMENT, &text);
-    }
+    if (!desc->get_proc)
+        return "get_proc is missing";
 #endif
-    if (!desc->alloc_fn != !desc->free_fn) {
-        oit_i_put(&text, "alloc_fn and free_fn go together");
-        return oit_i_refuse(desc, OIT_INVALID_ARGUMENT, &text);
+    if (!desc->alloc_fn != !desc->free_fn)
+        return "alloc_fn and free_fn go together";
+    if (desc->max_gl_version < 0)
+        return "max_gl_version is negative";
+    if ((unsigned)desc->state > (unsigned)OIT_STATE_NONE || (unsigned)desc->fit > (unsigned)OIT_FIT_ASYNC)
+        return "state or fit is none of its enumerators";
+    if (desc->state == OIT_STATE_NONE && desc->fit != OIT_FIT_ASYNC)
+        return "OIT_STATE_NONE goes with OIT_FIT_ASYNC: a read-back is a state call";
+    if ((unsigned)desc->color > (unsigned)OIT_COLOR_FLOAT || (desc->fields & ~OIT_FIELD_ALL) != 0)
+        return "color or fields has bits that are none";
+    if (desc->host_words < 0 || desc->host_words > OIT_MAX_HOST_WORDS)
+        return "host_words is not in 0 ... 8";
+    if (desc->ceiling_bytes < 0 || desc->max_block_bytes < 0)
+        return "ceiling_bytes or max_block_bytes is negative";
+    return 0;
+}
+
+/* ---- state: saved, set, restored -------------------------------------------------------------------------------- */
+
+/* Switches that every pass wants off, with the first version that has them (0: never). Depth and scissor test, which
+   passes set, come last. */
+typedef struct oit_i_cap {
+    oit_i_u name;
+    int desktop, es;
+} oit_i_cap;
+
+static const oit_i_cap oit_i_caps[OIT_I_CAP_COUNT] = {
+    {OIT_I_GL_STENCIL_TEST, 430, 310},
+    {OIT_I_GL_DITHER, 430, 310},
+    {OIT_I_GL_POLYGON_OFFSET_FILL, 430, 310},
+    {OIT_I_GL_POLYGON_OFFSET_LINE, 430, 0}, /* not only for lines: Mesa 22 offsets clipped polygons by it */
+    {OIT_I_GL_POLYGON_OFFSET_POINT, 430, 0},
+    {OIT_I_GL_SAMPLE_ALPHA_TO_COVERAGE, 430, 310},
+    {OIT_I_GL_SAMPLE_COVERAGE, 430, 310},
+    {OIT_I_GL_RASTERIZER_DISCARD, 430, 310},
+    {OIT_I_GL_COLOR_LOGIC_OP, 430, 0},
+    {OIT_I_GL_DEPTH_CLAMP, 430, 0},
+    {OIT_I_GL_SAMPLE_MASK, 430, 310},
+    {OIT_I_GL_CULL_FACE, 430, 310}, /* both sides of a surface are layers */
+    {OIT_I_GL_DEPTH_TEST, 430, 310},
+    {OIT_I_GL_SCISSOR_TEST, 430, 310},
+};
+#define OIT_I_CAPS_OFF 12
+
+static int oit_i_has_cap(const oit_context *oit, int index) {
+    int since = oit->info.es ? oit_i_caps[index].es : oit_i_caps[index].desktop;
+    return since != 0 && oit->info.version >= since;
+}
+
+static void oit_i_switch(const oit_context *oit, oit_i_u cap, int on) {
+    if (on)
+        oit->gl.gl_Enable(cap);
+    else
+        oit->gl.gl_Disable(cap);
+}
+
+static void oit_i_switch_indexed(const oit_context *oit, oit_i_u cap, int index, int on) {
+    if (on)
+        oit->gl.gl_Enablei(cap, (oit_i_u)index);
+    else
+        oit->gl.gl_Disablei(cap, (oit_i_u)index);
+}
+
+static void oit_i_set_viewport(const oit_context *oit, const float box[4]) {
+    if (oit->viewports)
+        oit->gl.gl_ViewportIndexedf(0, box[0], box[1], box[2], box[3]);
+    else
+        oit->gl.gl_Viewport((int32_t)box[0], (int32_t)box[1], (int32_t)box[2], (int32_t)box[3]);
+}
+
+static void oit_i_set_scissor(const oit_context *oit, const int32_t box[4]) {
+    if (oit->viewports)
+        oit->gl.gl_ScissorIndexed(0, box[0], box[1], box[2], box[3]);
+    else
+        oit->gl.gl_Scissor(box[0], box[1], box[2], box[3]);
+}
+
+static void oit_i_set_depth_range(const oit_context *oit, double first, double last) {
+    if (oit->viewports)
+        oit->gl.gl_DepthRangeIndexed(0, first, last);
+    else
+        oit->gl.gl_DepthRangef((float)first, (float)last);
+}
+
+static void oit_i_save_viewport(const oit_context *oit, oit_i_snapshot *saved) {
+    const oit_i_gl *gl = &oit->gl;
+    int32_t viewport[4];
+    float range[2];
+    int i;
+    if (oit->viewports) {
+        gl->gl_GetFloati_v(OIT_I_GL_VIEWPORT, 0, saved->viewport);
+        gl->gl_GetDoublei_v(OIT_I_GL_DEPTH_RANGE, 0, saved->depth_range);
+        gl->gl_GetIntegeri_v(OIT_I_GL_SCISSOR_BOX, 0, saved->scissor);
+        for (i = 0; i < oit->viewports; ++i)
+            saved->scissors[i] = gl->gl_IsEnabledi(OIT_I_GL_SCISSOR_TEST, (oit_i_u)i);
+        return;
     }
-    if (desc->max_gl_version < 0) {
-        oit_i_put(&text, "max_gl_version is negative");
-        return oit_i_refuse(desc, OIT_INVALID_ARGUMENT, &text);
+    gl->gl_GetIntegerv(OIT_I_GL_VIEWPORT, viewport);
+    gl->gl_GetIntegerv(OIT_I_GL_SCISSOR_BOX, saved->scissor);
+    gl->gl_GetFloatv(OIT_I_GL_DEPTH_RANGE, range);
+    for (i = 0; i < 4; ++i)
+        saved->viewport[i] = (float)viewport[i];
+    saved->depth_range[0] = (double)range[0];
+    saved->depth_range[1] = (double)range[1];
+}
+
+static void oit_i_save_blend(const oit_context *oit, oit_i_snapshot *saved) {
+    static const oit_i_u names[6] = {OIT_I_GL_BLEND_SRC_RGB,      OIT_I_GL_BLEND_DST_RGB,
+                                     OIT_I_GL_BLEND_SRC_ALPHA,    OIT_I_GL_BLEND_DST_ALPHA,
+                                     OIT_I_GL_BLEND_EQUATION_RGB, OIT_I_GL_BLEND_EQUATION_ALPHA};
+    int i;
+    for (i = 0; i < 6; ++i) {
+        int32_t *value = i < 4 ? &saved->blend_func[i] : &saved->blend_equation[i - 4];
+        if (oit->has_indexed)
+            oit->gl.gl_GetIntegeri_v(names[i], 0, value);
+        else
+            oit->gl.gl_GetIntegerv(names[i], value);
     }
+    saved->blend = oit->has_indexed ? oit->gl.gl_IsEnabledi(OIT_I_GL_BLEND, 0) : oit->gl.gl_IsEnabled(OIT_I_GL_BLEND);
+    for (i = 0; i < oit->draw_buffers; ++i) {
+        if (oit->has_indexed)
+            oit->gl.gl_GetBooleani_v(OIT_I_GL_COLOR_WRITEMASK, (oit_i_u)i, saved->color_masks[i]);
+        else
+            oit->gl.gl_GetBooleanv(OIT_I_GL_COLOR_WRITEMASK, saved->color_masks[i]);
+    }
+}
+
+static void oit_i_save_binding(const oit_context *oit, oit_i_u name, int at, oit_i_binding *saved) {
+    int storage = name == OIT_I_GL_SHADER_STORAGE_BUFFER_BINDING;
+    oit->gl.gl_GetIntegeri_v(name, (oit_i_u)at, &saved->buffer);
+    oit->gl.gl_GetInteger64i_v(storage ? OIT_I_GL_SHADER_STORAGE_BUFFER_START : OIT_I_GL_UNIFORM_BUFFER_START,
+                               (oit_i_u)at, &saved->start);
+    oit->gl.gl_GetInteger64i_v(storage ? OIT_I_GL_SHADER_STORAGE_BUFFER_SIZE : OIT_I_GL_UNIFORM_BUFFER_SIZE,
+                               (oit_i_u)at, &saved->size);
+}
+
+static void oit_i_save_bindings(const oit_context *oit, oit_i_snapshot *saved) {
+    const oit_i_gl *gl = &oit->gl;
+    int i;
+    gl->gl_GetIntegerv(OIT_I_GL_CURRENT_PROGRAM, &saved->program);
+    gl->gl_GetIntegerv(OIT_I_GL_VERTEX_ARRAY_BINDING, &saved->vertex_array);
+    gl->gl_GetIntegerv(OIT_I_GL_DRAW_FRAMEBUFFER_BINDING, &saved->framebuffer);
+    gl->gl_GetIntegerv(OIT_I_GL_SHADER_STORAGE_BUFFER_BINDING, &saved->storage_buffer);
+    gl->gl_GetIntegerv(OIT_I_GL_UNIFORM_BUFFER_BINDING, &saved->uniform_buffer);
+    gl->gl_GetIntegerv(OIT_I_GL_COPY_WRITE_BUFFER, &saved->copy_buffer);
+    for (i = 0; i < OIT_I_STORAGE_BINDINGS; ++i)
+        oit_i_save_binding(oit, OIT_I_GL_SHADER_STORAGE_BUFFER_BINDING, oit->desc.first_storage_binding + i,
+                           &saved->storage[i]);
+    oit_i_save_binding(oit, OIT_I_GL_UNIFORM_BUFFER_BINDING, oit->desc.uniform_binding, &saved->uniforms);
+}
+
+static void oit_i_save(const oit_context *oit, oit_i_snapshot *saved) {
+    const oit_i_gl *gl = &oit->gl;
+    int i;
+    memset(saved, 0, sizeof *saved);
+    oit_i_save_bindings(oit, saved);
+    oit_i_save_blend(oit, saved);
+    for (i = 0; i < OIT_I_CAP_COUNT; ++i)
+        if (oit_i_has_cap(oit, i))
+            saved->caps[i] = gl->gl_IsEnabled(oit_i_caps[i].name);
+    for (i = 0; i < oit->clip_distances; ++i)
+        saved->clip_distances[i] = gl->gl_IsEnabled(OIT_I_GL_CLIP_DISTANCE0 + (oit_i_u)i);
+    oit_i_save_viewport(oit, saved);
+    gl->gl_GetBooleanv(OIT_I_GL_DEPTH_WRITEMASK, &saved->depth_mask);
+    gl->gl_GetIntegerv(OIT_I_GL_DEPTH_FUNC, &saved->depth_func);
+    if (!oit->info.es)
+        gl->gl_GetIntegerv(OIT_I_GL_POLYGON_MODE, saved->polygon_mode);
+}
+
+/* What a fresh context would have saved, for OIT_STATE_LEAVE_DEFAULTS; viewport and scissor box stay what they were. */
+static void oit_i_save_defaults(oit_i_snapshot *saved) {
+    oit_i_snapshot fresh;
+    memset(&fresh, 0, sizeof fresh);
+    memset(fresh.color_masks, 1, sizeof fresh.color_masks);
+    memcpy(fresh.viewport, saved->viewport, sizeof fresh.viewport);
+    memcpy(fresh.scissor, saved->scissor, sizeof fresh.scissor);
+    fresh.caps[1] = 1; /* dither */
+    fresh.depth_mask = 1;
+    fresh.depth_func = (int32_t)OIT_I_GL_LESS;
+    fresh.depth_range[1] = 1.0;
+    fresh.polygon_mode[0] = (int32_t)OIT_I_GL_FILL;
+    fresh.blend_func[0] = fresh.blend_func[2] = (int32_t)OIT_I_GL_ONE;
+    fresh.blend_equation[0] = fresh.blend_equation[1] = (int32_t)OIT_I_GL_FUNC_ADD;
+    *saved = fresh;
+}
+
+/* rgb, then alpha. */
+static void oit_i_set_blend(const oit_context *oit, int on, const oit_i_u func[4], const oit_i_u equation[2]) {
+    if (!oit->has_indexed) {
+        oit_i_switch(oit, OIT_I_GL_BLEND, on);
+        oit->gl.gl_BlendFuncSeparate(func[0], func[1], func[2], func[3]);
+        oit->gl.gl_BlendEquationSeparate(equation[0], equation[1]);
+        return;
+    }
+    oit_i_switch_indexed(oit, OIT_I_GL_BLEND, 0, on);
+    oit->gl.gl_BlendFuncSeparatei(0, func[0], func[1], func[2], func[3]);
+    oit->gl.gl_BlendEquationSeparatei(0, equation[0], equation[1]);
+}
+
+/* A size of 0 means the whole buffer. */
+static void oit_i_restore_binding(const oit_context *oit, oit_i_u target, int at, const oit_i_binding *saved) {
+    if (saved->size > 0)
+        oit->gl.gl_BindBufferRange(target, (oit_i_u)at, (oit_i_u)saved->buffer, (ptrdiff_t)saved->start,
+                                   (ptrdiff_t)saved->size);
+    else
+        oit->gl.gl_BindBufferBase(target, (oit_i_u)at, (oit_i_u)saved->buffer);
+}
+
+static void oit_i_restore_bindings(const oit_context *oit, const oit_i_snapshot *saved) {
+    const oit_i_gl *gl = &oit->gl;
+    int i;
+    if (saved->program == 0 || gl->gl_IsProgram((oit_i_u)saved->program))
+        gl->gl_UseProgram((oit_i_u)saved->program);
+    gl->gl_BindVertexArray((oit_i_u)saved->vertex_array);
+    gl->gl_BindFramebuffer(OIT_I_GL_DRAW_FRAMEBUFFER, (oit_i_u)saved->framebuffer);
+    /* The indexed bindings first: they move the generic ones along. */
+    for (i = 0; i < OIT_I_STORAGE_BINDINGS; ++i)
+        oit_i_restore_binding(oit, OIT_I_GL_SHADER_STORAGE_BUFFER, oit->desc.first_storage_binding + i,
+                              &saved->storage[i]);
+    oit_i_restore_binding(oit, OIT_I_GL_UNIFORM_BUFFER, oit->desc.uniform_binding, &saved->uniforms);
+    gl->gl_BindBuffer(OIT_I_GL_SHADER_STORAGE_BUFFER, (oit_i_u)saved->storage_buffer);
+    gl->gl_BindBuffer(OIT_I_GL_UNIFORM_BUFFER, (oit_i_u)saved->uniform_buffer);
+    gl->gl_BindBuffer(OIT_I_GL_COPY_WRITE_BUFFER, (oit_i_u)saved->copy_buffer);
+}
+
+static void oit_i_restore(const oit_context *oit, const oit_i_snapshot *saved) {
+    const oit_i_gl *gl = &oit->gl;
+    oit_i_u func[4], equation[2];
+    int i;
+    oit_i_restore_bindings(oit, saved);
+    for (i = 0; i < OIT_I_CAP_COUNT; ++i)
+        if (oit_i_has_cap(oit, i))
+            oit_i_switch(oit, oit_i_caps[i].name, saved->caps[i]);
+    for (i = 0; i < oit->clip_distances; ++i)
+        oit_i_switch(oit, OIT_I_GL_CLIP_DISTANCE0 + (oit_i_u)i, saved->clip_distances[i]);
+    for (i = 0; i < oit->viewports; ++i)
+        oit_i_switch_indexed(oit, OIT_I_GL_SCISSOR_TEST, i, saved->scissors[i]);
+    oit_i_set_viewport(oit, saved->viewport);
+    oit_i_set_scissor(oit, saved->scissor);
+    oit_i_set_depth_range(oit, saved->depth_range[0], saved->depth_range[1]);
+    gl->gl_DepthMask(saved->depth_mask);
+    gl->gl_DepthFunc((oit_i_u)saved->depth_func);
+    if (!oit->info.es)
+        gl->gl_PolygonMode(OIT_I_GL_FRONT_AND_BACK, (oit_i_u)saved->polygon_mode[0]);
+    for (i = 0; i < 4; ++i)
+        func[i] = (oit_i_u)saved->blend_func[i];
+    for (i = 0; i < 2; ++i)
+        equation[i] = (oit_i_u)saved->blend_equation[i];
+    oit_i_set_blend(oit, saved->blend, func, equation);
+    for (i = 0; i < oit->draw_buffers; ++i) {
+        const unsigned char *mask = saved->color_masks[i];
+        if (oit->has_indexed)
+            gl->gl_ColorMaski((oit_i_u)i, mask[0], mask[1], mask[2], mask[3]);
+        else
+            gl->gl_ColorMask(mask[0], mask[1], mask[2], mask[3]);
+    }
+}
+
+static void oit_i_mask_colors(const oit_context *oit, int first) {
+    unsigned char on = (unsigned char)first;
+    int i;
+    if (!oit->has_indexed) {
+        oit->gl.gl_ColorMask(on, on, on, 0);
+        return;
+    }
+    for (i = 0; i < oit->draw_buffers; ++i) {
+        on = (unsigned char)(i == 0 && first);
+        oit->gl.gl_ColorMaski((oit_i_u)i, on, on, on, 0);
+    }
+}
+
+/* What a dispatch needs, and a draw as well. */
+static void oit_i_apply_bindings(const oit_context *oit, const oit_state *state) {
+    int i;
+    oit->gl.gl_UseProgram(state->program);
+    for (i = 0; i < OIT_I_STORAGE_BINDINGS; ++i)
+        oit->gl.gl_BindBufferBase(OIT_I_GL_SHADER_STORAGE_BUFFER, (oit_i_u)(state->first_storage_binding + i),
+                                  state->storage_buffers[i]);
+    oit->gl.gl_BindBufferBase(OIT_I_GL_UNIFORM_BUFFER, (oit_i_u)state->uniform_binding, state->uniform_buffer);
+}
+
+/* Makes the context's state what the pass says, whatever it was. */
+static void oit_i_apply(const oit_context *oit, const oit_state *state) {
+    static const oit_i_u equation[2] = {OIT_I_GL_FUNC_ADD, OIT_I_GL_FUNC_ADD};
+    const oit_i_gl *gl = &oit->gl;
+    oit_i_u func[4];
+    float viewport[4];
+    int i;
+    oit_i_apply_bindings(oit, state);
+    if (state->groups[0])
+        return;
+    for (i = 0; i < OIT_I_CAPS_OFF; ++i)
+        if (oit_i_has_cap(oit, i))
+            gl->gl_Disable(oit_i_caps[i].name);
+    for (i = 0; i < oit->clip_distances; ++i)
+        gl->gl_Disable(OIT_I_GL_CLIP_DISTANCE0 + (oit_i_u)i);
+    for (i = 0; i < 4; ++i)
+        viewport[i] = (float)state->viewport[i];
+    gl->gl_BindFramebuffer(OIT_I_GL_DRAW_FRAMEBUFFER, state->framebuffer);
+    oit_i_set_viewport(oit, viewport);
+    /* For the first viewport alone: Mesa 22 lets the scissor of another one cut what is drawn into the first. */
+    oit_i_switch(oit, OIT_I_GL_SCISSOR_TEST, oit->viewports == 0);
+    if (oit->viewports)
+        gl->gl_Enablei(OIT_I_GL_SCISSOR_TEST, 0);
+    oit_i_set_scissor(oit, state->scissor);
+    oit_i_set_depth_range(oit, 0.0, 1.0);
+    oit_i_switch(oit, OIT_I_GL_DEPTH_TEST, state->depth_test);
+    gl->gl_DepthFunc(state->depth_func);
+    gl->gl_DepthMask(0);
+    if (!oit->info.es)
+        gl->gl_PolygonMode(OIT_I_GL_FRONT_AND_BACK, OIT_I_GL_FILL);
+    func[0] = state->blend_source;
+    func[1] = state->blend_destination;
+    func[2] = OIT_I_GL_ZERO;
+    func[3] = OIT_I_GL_ONE;
+    oit_i_set_blend(oit, state->blend, func, equation);
+    oit_i_mask_colors(oit, state->color_write);
+}
+
+/* ---- shaders and programs --------------------------------------------------------------------------------------- */
+
+typedef struct oit_i_source {
+    const char *strings[OIT_I_MAX_STRINGS];
+    int count;
+} oit_i_source;
+
+static void oit_i_add(oit_i_source *source, const char *string) {
+    if (source->count < OIT_I_MAX_STRINGS)
+        source->strings[source->count++] = string;
+}
+
+static void oit_i_add_chunks(oit_i_source *source, oit_i_strings chunks) {
+    for (; *chunks; ++chunks)
+        oit_i_add(source, *chunks);
+}
+
+static void oit_i_define(oit_i_text *text, const char *name, int64_t value) {
+    oit_i_put(text, "#define ");
+    oit_i_put(text, name);
+    oit_i_put(text, " ");
+    oit_i_put_number(text, value);
+    oit_i_put(text, "\n");
+}
+
+/* Words of a record before its colour, and in all. */
+static int oit_i_words_before_color(const oit_desc *desc) {
+    return 1 + ((desc->fields & OIT_FIELD_PART) != 0) + ((desc->fields & OIT_FIELD_KEY) != 0);
+}
+
+static int oit_i_color_words(const oit_desc *desc) {
+    return desc->color == OIT_COLOR_FLOAT ? 4 : 2;
+}
+
+static int oit_i_words(const oit_desc *desc) {
+    int words = oit_i_words_before_color(desc) + oit_i_color_words(desc) + desc->host_words;
+    words += (desc->fields & OIT_FIELD_BLEND) && desc->color != OIT_COLOR_8;
+    words += (desc->fields & OIT_FIELD_NORMAL) != 0;
+    words += (desc->fields & OIT_FIELD_UV) ? 2 : 0;
+    return words;
+}
+
+/* What every stage begins with, after the version: what was chosen at creation. */
+static void oit_i_write_preamble(const oit_desc *desc, int es, char *at, size_t capacity) {
+    oit_i_text text = oit_i_text_in(at, capacity);
+    int color = oit_i_words_before_color(desc);
+    if (es)
+        oit_i_put(&text, "precision highp float;\nprecision highp int;\n");
+    oit_i_define(&text, "OIT_BINDING_PIXELS", desc->first_storage_binding + OIT_I_PIXELS);
+    oit_i_define(&text, "OIT_BINDING_FRAGMENTS", desc->first_storage_binding + OIT_I_FRAGMENTS);
+    oit_i_define(&text, "OIT_BINDING_REPORT", desc->first_storage_binding + OIT_I_REPORT);
+    oit_i_define(&text, "OIT_UNIFORM_BINDING", desc->uniform_binding);
+    oit_i_define(&text, "OIT_REVERSED_Z", desc->reversed_z != 0);
+    oit_i_define(&text, "OIT_ASYNC", desc->fit == OIT_FIT_ASYNC);
+    oit_i_define(&text, "OIT_PREMULTIPLIED", desc->premultiplied != 0);
+    oit_i_define(&text, "OIT_HAS_PART", (desc->fields & OIT_FIELD_PART) != 0);
+    oit_i_define(&text, "OIT_HAS_KEY", (desc->fields & OIT_FIELD_KEY) != 0);
+    oit_i_define(&text, "OIT_HAS_BLEND", (desc->fields & OIT_FIELD_BLEND) != 0);
+    oit_i_define(&text, "OIT_HAS_NORMAL", (desc->fields & OIT_FIELD_NORMAL) != 0);
+    oit_i_define(&text, "OIT_HAS_UV", (desc->fields & OIT_FIELD_UV) != 0);
+    oit_i_define(&text, "OIT_HOST_WORDS", desc->host_words);
+    oit_i_define(&text, "OIT_WORDS", oit_i_words(desc));
+    oit_i_define(&text, "OIT_AT_COLOR", color);
+    oit_i_define(&text, "OIT_AT_BLEND", color + oit_i_color_words(desc));
+    oit_i_define(&text, "OIT_COLOR", (int)desc->color);
+    oit_i_put(&text, "#define OIT_COLOR_8 0\n#define OIT_COLOR_HALF 1\n#define OIT_COLOR_FLOAT 2\n");
+    oit_i_put(&text, "#define OIT_COUNT 0\n#define OIT_FILL 1\n");
+    oit_i_put(&text, "#define OIT_MODE_OVER 0\n#define OIT_MODE_DUAL 1\n");
+    oit_i_put(&text, "#define OIT_MODE_FILTER 2\n#define OIT_MODE_LIGHT 3\n");
+}
+
+/* A string of its own: what must follow the version at once, #extension lines, goes between this and the next. */
+static void oit_i_add_preamble(oit_i_source *source, int es, const char *preamble) {
+    source->count = 0;
+    oit_i_add(source, es ? "#version 310 es\n" : "#version 430 core\n");
+    oit_i_add(source, preamble);
+}
+
+/* What a host's shader begins with, and the built-in surface programs too. */
+static void oit_i_host_source(oit_i_source *source, oit_stage stage, int fill, int es, const char *preamble) {
+    oit_i_add_preamble(source, es, preamble);
+    oit_i_add(source, fill ? "#define OIT_PASS 1\n" : "#define OIT_PASS 0\n");
+    if (stage == OIT_VERTEX) {
+        oit_i_add(source, "invariant gl_Position;\n");
+        return;
+    }
+    oit_i_add_chunks(source, oit_i_shader_oit_frame_block_glsl);
+    oit_i_add_chunks(source, oit_i_shader_oit_store_glsl);
+}
+
+#define OIT_I_NETWORK_CAPACITY ((size_t)48 << 10)
+
+static void oit_i_put_pair(oit_i_text *text, const char *macro, int first, int second) {
+    oit_i_put(text, macro);
+    oit_i_put_number(text, first);
+    oit_i_put(text, ",o");
+    oit_i_put_number(text, first);
+    if (second >= 0) {
+        oit_i_put(text, ",d");
+        oit_i_put_number(text, second);
+        oit_i_put(text, ",o");
+        oit_i_put_number(text, second);
+    }
+    oit_i_put(text, ")\n");
+}
+
+static void oit_i_put_order(oit_i_text *text, int size) {
+    int i;
+    for (i = 0; i < size; ++i) {
+        oit_i_put(text, "oit_order[");
+        oit_i_put_number(text, i);
+        oit_i_put(text, "] = o");
+        oit_i_put_number(text, i);
+        oit_i_put(text, ";\n");
+    }
+}
+
+/* oit_sort: up to `size` records in registers through Batcher's odd-even merge network. Returns whether depths tie. */
+static void oit_i_put_network(oit_i_text *text, int size) {
+    int i, j, k, p;
+    oit_i_put(text, "bool oit_sort(uint base, uint n)\n{\n");
+    for (i = 0; i < size; ++i) {
+        oit_i_put(text, "L(d");
+        oit_i_put_number(text, i);
+        oit_i_put(text, ",o");
+        oit_i_put_number(text, i);
+        oit_i_put(text, ",");
+        oit_i_put_number(text, i);
+        oit_i_put(text, "u)\n");
+    }
+    for (p = 1; p < size; p *= 2)
+        for (k = p; k >= 1; k /= 2)
+            for (j = k % p; j + k < size; j += 2 * k)
+                for (i = 0; i < k && i + j + k < size; ++i)
+                    if ((i + j) / (2 * p) == (i + j + k) / (2 * p))
+                        oit_i_put_pair(text, "S(d", i + j, i + j + k);
+    oit_i_put(text, "bool tie = false;\n");
+    for (i = 1; i < size; ++i) {
+        oit_i_put(text, "T(d");
+        oit_i_put_number(text, i - 1);
+        oit_i_put(text, ",d");
+        oit_i_put_number(text, i);
+        oit_i_put(text, ",");
+        oit_i_put_number(text, i);
+        oit_i_put(text, "u)\n");
+    }
+    oit_i_put_order(text, size);
+    oit_i_put(text, "return tie;\n}\n");
+}
+
+/* oit_select: of n records the `size` first that come after (depth, from), by depth and then by where they lie. */
+static void oit_i_put_selection(oit_i_text *text, int size) {
+    int i;
+    oit_i_put(text, "void oit_select(uint base, uint n, bool more, inout uint depth, inout uint from)\n{\n");
+    for (i = 0; i < size; ++i)
+        oit_i_put_pair(text, "D(d", i, -1);
+    oit_i_put(text, "for (uint i = 0u; i < n; ++i) {\nuint y = base + i * uint(OIT_WORDS), x = oit_word[y];\n"
+                    "if (x >= d");
+    oit_i_put_number(text, size - 1);
+    oit_i_put(text, " || (more && (x < depth || (x == depth && y <= from))))\ncontinue;\nbool s = false;\n");
+    for (i = 0; i < size; ++i)
+        oit_i_put_pair(text, "I(d", i, -1);
+    oit_i_put(text, "}\ndepth = d");
+    oit_i_put_number(text, size - 1);
+    oit_i_put(text, ";\nfrom = o");
+    oit_i_put_number(text, size - 1);
+    oit_i_put(text, ";\n");
+    oit_i_put_order(text, size);
+    oit_i_put(text, "}\n");
+}
+
+/* scratch: OIT_I_NETWORK_CAPACITY characters, for text that is made here. */
+static void oit_i_compose_source(oit_i_source *source, int index, int mode, char *scratch) {
+    oit_i_text text = oit_i_text_in(scratch, OIT_I_NETWORK_CAPACITY);
+    int tail = index == OIT_I_CLASSES, deep = index == OIT_I_CLASSES - 1;
+    size_t network;
+    oit_i_define(&text, "OIT_MODE", mode);
+    if (!tail) {
+        oit_i_define(&text, "OIT_CLASS", oit_i_class_sizes[index]);
+        oit_i_define(&text, "OIT_ABOVE", oit_i_class_above[index]);
+        oit_i_define(&text, "OIT_DEEP", deep);
+    }
+    oit_i_add(source, scratch);
+    oit_i_add_chunks(source, oit_i_shader_oit_frame_block_glsl);
+    if (tail) {
+        oit_i_add_chunks(source, oit_i_shader_oit_tail_frag);
+        return;
+    }
+    oit_i_add_chunks(source, oit_i_shader_oit_record_glsl);
+    oit_i_add_chunks(source, oit_i_shader_oit_compose_glsl);
+    network = text.length + 1;
+    text = oit_i_text_in(scratch + network, OIT_I_NETWORK_CAPACITY - network);
+    if (deep)
+        oit_i_put_selection(&text, oit_i_class_sizes[index]);
+    else
+        oit_i_put_network(&text, oit_i_class_sizes[index]);
+    oit_i_add(source, scratch + network);
+    oit_i_add_chunks(source, oit_i_shader_oit_compose_frag);
+}
+
+static void oit_i_compute_source(oit_i_source *source, int program) {
+    static const oit_i_strings kernels[] = {oit_i_shader_oit_clear_comp, oit_i_shader_oit_sum_comp,
+                                            oit_i_shader_oit_tops_comp, oit_i_shader_oit_spread_comp,
+                                            oit_i_shader_oit_report_comp};
+    if (program == OIT_I_PROGRAM_TOPS || program == OIT_I_PROGRAM_SPREAD)
+        oit_i_add(source, "#define OIT_SCANS 1\n");
+    oit_i_add_chunks(source, oit_i_shader_oit_frame_block_glsl);
+    oit_i_add_chunks(source, oit_i_shader_oit_scan_glsl);
+    oit_i_add_chunks(source, kernels[program]);
+}
+
+static int oit_i_is_compute(int program) {
+    return program <= OIT_I_PROGRAM_REPORT;
+}
+
+/* The whole text of one stage of a built-in program; dual: there is dual-source blending. */
+static void oit_i_program_source(oit_i_source *source, int program, oit_stage stage, const oit_desc *desc, int es,
+                                 const char *preamble, char *scratch) {
+    int index = program - OIT_I_PROGRAM_COMPOSE, mode = OIT_I_MODE_OVER;
+    if (program == OIT_I_PROGRAM_COUNT || program == OIT_I_PROGRAM_FILL) {
+        oit_i_host_source(source, stage, program == OIT_I_PROGRAM_FILL, es, preamble);
+        oit_i_add_chunks(source, stage == OIT_VERTEX ? oit_i_shader_oit_surface_vert : oit_i_shader_oit_surface_frag);
+        return;
+    }
+    oit_i_add_preamble(source, es, preamble);
+    if (oit_i_is_compute(program)) {
+        oit_i_compute_source(source, program);
+    } else if (stage == OIT_VERTEX) {
+        oit_i_add_chunks(source, oit_i_shader_oit_fullscreen_vert);
+    } else {
+        if (desc->fields & OIT_FIELD_BLEND)
+            mode = !es ? OIT_I_MODE_DUAL : index > OIT_I_CLASSES ? OIT_I_MODE_LIGHT : OIT_I_MODE_FILTER;
+        oit_i_compose_source(source, index % (OIT_I_CLASSES + 1), mode, scratch);
+    }
+}
+
+static oit_i_u oit_i_compile(oit_context *oit, int program, oit_i_u type, char *scratch) {
+    oit_i_source source;
+    oit_i_message message;
+    char log[2048] = "";
+    int32_t ok = 0;
+    oit_i_u shader = oit->gl.gl_CreateShader(type);
+    if (!shader)
+        return 0;
+    oit_i_program_source(&source, program, type == OIT_I_GL_VERTEX_SHADER ? OIT_VERTEX : OIT_FRAGMENT, &oit->desc,
+                         oit->info.es, oit->preamble, scratch);
+    oit->gl.gl_ShaderSource(shader, source.count, source.strings, 0);
+    oit->gl.gl_CompileShader(shader);
+    oit->gl.gl_GetShaderiv(shader, OIT_I_GL_COMPILE_STATUS, &ok);
+    if (ok)
+        return shader;
+    oit->gl.gl_GetShaderInfoLog(shader, (int32_t)sizeof log, 0, log);
+    oit_i_put(oit_i_say(&message, "oit_begin", "a built-in shader does not compile: "), log);
+    oit_i_log(&oit->desc, OIT_LOG_ERROR, OIT_SHADER_FAILED, &message);
+    oit->gl.gl_DeleteShader(shader);
+    return 0;
+}
+
+static oit_i_u oit_i_link(oit_context *oit, const oit_i_u *shaders, int count) {
+    oit_i_message message;
+    char log[2048] = "";
+    int32_t ok = 0;
+    int i;
+    oit_i_u program = oit->gl.gl_CreateProgram();
+    if (!program)
+        return 0;
+    for (i = 0; i < count; ++i)
+        oit->gl.gl_AttachShader(program, shaders[i]);
+    oit->gl.gl_LinkProgram(program);
+    oit->gl.gl_GetProgramiv(program, OIT_I_GL_LINK_STATUS, &ok);
+    if (ok)
+        return program;
+    oit->gl.gl_GetProgramInfoLog(program, (int32_t)sizeof log, 0, log);
+    oit_i_put(oit_i_say(&message, "oit_begin", "a built-in program does not link: "), log);
+    oit_i_log(&oit->desc, OIT_LOG_ERROR, OIT_SHADER_FAILED, &message);
+    oit->gl.gl_DeleteProgram(program);
+    return 0;
+}
+
+static void oit_i_find_uniforms(oit_context *oit, int program) {
+    oit_i_surface *surface = &oit->surfaces[program - OIT_I_PROGRAM_COUNT];
+    oit_i_u name = oit->programs[program];
+    surface->model_view_projection = oit->gl.gl_GetUniformLocation(name, "oit_model_view_projection");
+    surface->normal_matrix = oit->gl.gl_GetUniformLocation(name, "oit_normal_matrix");
+    surface->color = oit->gl.gl_GetUniformLocation(name, "oit_object_color");
+    surface->object = oit->gl.gl_GetUniformLocation(name, "oit_object");
+}
+
+static oit_result oit_i_make_program(oit_context *oit, int program) {
+    static const oit_i_u drawn[2] = {OIT_I_GL_VERTEX_SHADER, OIT_I_GL_FRAGMENT_SHADER};
+    static const oit_i_u computed[1] = {OIT_I_GL_COMPUTE_SHADER};
+    const oit_i_u *types = oit_i_is_compute(program) ? computed : drawn;
+    int count = oit_i_is_compute(program) ? 1 : 2, made = 0;
+    oit_i_u shaders[2];
+    char *scratch;
+    if (oit->programs[program])
+        return OIT_OK;
+    scratch = (char *)oit->desc.alloc_fn(OIT_I_NETWORK_CAPACITY, oit->desc.alloc_user);
+    if (!scratch)
+        return oit_i_fail(&oit->desc, OIT_OUT_OF_MEMORY, "oit_begin", "no memory for the text of a shader");
+    for (; made < count; ++made) {
+        shaders[made] = oit_i_compile(oit, program, types[made], scratch);
+        if (!shaders[made])
+            break;
+    }
+    if (made == count)
+        oit->programs[program] = oit_i_link(oit, shaders, count);
+    while (made > 0)
+        oit->gl.gl_DeleteShader(shaders[--made]);
+    oit->desc.free_fn(scratch, oit->desc.alloc_user);
+    if (!oit->programs[program])
+        return oit_i_fail(&oit->desc, OIT_SHADER_FAILED, "oit_begin", oit_result_string(OIT_SHADER_FAILED));
+    if (program == OIT_I_PROGRAM_COUNT || program == OIT_I_PROGRAM_FILL)
+        oit_i_find_uniforms(oit, program);
     return OIT_OK;
 }
 
-/* ---- the functions ---------------------------------------------------------------------------------------------- */
-
-/* Everything is found out before anything is allocated. */
-static oit_result oit_i_create(const oit_desc *desc, oit_context **out) {
-    oit_context made;
-    oit_i_text text = oit_i_begin_text();
-    oit_result result = oit_i_check_desc(desc);
-    if (result != OIT_OK)
-        return result;
-    memset(&made, 0, sizeof made);
-    made.desc = *desc;
-    result = oit_i_load_queries(desc, &made.gl);
-    if (result == OIT_OK)
-        result = oit_i_find_version(desc, &made.gl, &made.info);
-    if (result == OIT_OK)
-        result = oit_i_load_buffers(desc, &made.gl);
-    if (result == OIT_OK)
-        result = oit_i_find_limits(desc, &made.gl, &made.info);
-    if (result != OIT_OK)
-        return result;
-    *out = (oit_context *)(desc->alloc_fn ? desc->alloc_fn(sizeof made, desc->alloc_user) : OIT_MALLOC(sizeof made));
-    if (!*out) {
-        oit_i_put(&text, "out of memory");
-        return oit_i_refuse(desc, OIT_OUT_OF_MEMORY, &text);
+static void oit_i_assemble_host_sources(oit_context *oit) {
+    oit_i_source source;
+    int stage, fill;
+    for (stage = 0; stage < (int)OIT_STAGE_COUNT; ++stage) {
+        for (fill = 0; fill < 2; ++fill) {
+            oit_i_host_source(&source, (oit_stage)stage, fill, oit->info.es, oit->preamble);
+            /* The host's own text counts its lines from 1. */
+            oit_i_add(&source, "#line 1\n");
+            memcpy(oit->strings[stage][fill], source.strings, (size_t)source.count * sizeof source.strings[0]);
+            oit->string_count[stage][fill] = source.count;
+        }
     }
-    memcpy(*out, &made, sizeof made);
-    return OIT_OK;
 }
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+OIT_I_API const char *const *oit_glsl(const oit_context *oit, oit_stage stage, oit_pass_kind kind, int *count) {
+    int fill = kind == OIT_PASS_FILL;
+    if (!oit || (unsigned)stage >= (unsigned)OIT_STAGE_COUNT || !count || (kind != OIT_PASS_COUNT && !fill))
+        return 0;
+    *count = oit->string_count[stage][fill];
+    return oit->strings[stage][fill];
+}
+
+/* ---- creation --------------------------------------------------------------------------------------------------- */
+
+static void *oit_i_default_alloc(size_t size, void *user) {
+    (void)user;
+    return OIT_MALLOC(size);
+}
+
+static void oit_i_default_free(void *block, void *user) {
+    (void)user;
+    OIT_FREE(block);
+}
+
+/* Bytes of a storage block that can be addressed: by drivers in 31 bits, by the host's limits. */
+static void oit_i_limit_blocks(oit_context *oit) {
+    int64_t most = 0x7ffffff0;
+    if (oit->info.storage_block_bytes < most)
+        most = oit->info.storage_block_bytes;
+    if (oit->desc.max_block_bytes && oit->desc.max_block_bytes < most)
+        most = oit->desc.max_block_bytes;
+    oit->desc.max_block_bytes = most;
+    if (oit->desc.ceiling_bytes == 0)
+        oit->desc.ceiling_bytes = (int64_t)512 << 20;
+    if (oit->desc.ceiling_bytes > most)
+        oit->desc.ceiling_bytes = most;
+}
+
+static oit_result oit_i_set_up(oit_context *oit) {
+    oit_result result;
+    oit_i_load(&oit->desc, &oit->gl);
+    result = oit_i_check_queries(&oit->desc, &oit->gl);
+    if (result == OIT_OK)
+        result = oit_i_find_version(oit);
+    if (result == OIT_OK)
+        result = oit_i_check_functions(oit);
+    if (result == OIT_OK)
+        result = oit_i_find_limits(oit);
+    if (result == OIT_OK)
+        result = oit_i_check_bindings(oit);
+    if (result != OIT_OK)
+        return result;
+    oit_i_find_state_limits(oit);
+    oit_i_limit_blocks(oit);
+    oit->info.fragment_bytes = 4 * oit_i_words(&oit->desc);
+    oit_i_write_preamble(&oit->desc, oit->info.es, oit->preamble, sizeof oit->preamble);
+    oit_i_assemble_host_sources(oit);
+    return OIT_OK;
+}
 
 OIT_I_API oit_context *oit_create(const oit_desc *desc, oit_result *result) {
-    oit_context *oit = 0;
-    oit_result outcome = oit_i_create(desc, &oit);
-    if (result)
-        *result = outcome;
+    oit_context *oit;
+    oit_result ignored;
+    oit_desc d;
+    if (!result)
+        result = &ignored;
+    *result = OIT_INVALID_ARGUMENT;
+    if (!desc)
+        return 0;
+    if (oit_i_bad_member(desc)) {
+        oit_i_fail(desc, OIT_INVALID_ARGUMENT, "oit_create", oit_i_bad_member(desc));
+        return 0;
+    }
+    d = *desc;
+    if (!d.alloc_fn) {
+        d.alloc_fn = oit_i_default_alloc;
+        d.free_fn = oit_i_default_free;
+    }
+    oit = (oit_context *)d.alloc_fn(sizeof *oit, d.alloc_user);
+    if (!oit) {
+        *result = oit_i_fail(&d, OIT_OUT_OF_MEMORY, "oit_create", "out of memory");
+        return 0;
+    }
+    memset(oit, 0, sizeof *oit);
+    oit->desc = d;
+    *result = oit_i_set_up(oit);
+    if (*result != OIT_OK) {
+        d.free_fn(oit, d.alloc_user);
+        return 0;
+    }
     return oit;
 }
 
+static void oit_i_drop_fences(oit_context *oit) {
+    int i;
+    for (i = 0; i < OIT_I_REPORTS; ++i) {
+        if (oit->fences[i])
+            oit->gl.gl_DeleteSync(oit->fences[i]);
+        oit->fences[i] = 0;
+    }
+}
+
+static void oit_i_drop_buffers(oit_context *oit) {
+    int i;
+    oit_i_drop_fences(oit);
+    for (i = 0; i < OIT_I_BUFFER_COUNT; ++i) {
+        if (oit->buffers[i])
+            oit->gl.gl_DeleteBuffers(1, &oit->buffers[i]);
+        oit->buffers[i] = 0;
+        oit->sizes[i] = 0;
+    }
+    oit->capacity = 0;
+}
+
+OIT_I_API oit_result oit_release(oit_context *oit) {
+    if (!oit)
+        return OIT_INVALID_ARGUMENT;
+    if (oit->in_frame)
+        return oit_i_fail(&oit->desc, OIT_WRONG_ORDER, "oit_release", "inside of a frame");
+    oit_i_drop_buffers(oit);
+    return OIT_OK;
+}
+
 OIT_I_API void oit_destroy(oit_context *oit) {
+    int i;
     if (!oit)
         return;
-    if (oit->desc.free_fn)
-        oit->desc.free_fn(oit, oit->desc.alloc_user);
-    else
-        OIT_FREE(oit);
+    oit_i_drop_buffers(oit);
+    for (i = 0; i < OIT_I_PROGRAMS; ++i)
+        if (oit->programs[i])
+            oit->gl.gl_DeleteProgram(oit->programs[i]);
+    if (oit->vertex_array)
+        oit->gl.gl_DeleteVertexArrays(1, &oit->vertex_array);
+    oit->desc.free_fn(oit, oit->desc.alloc_user);
 }
 
 OIT_I_API oit_info oit_get_info(const oit_context *oit) {
-    oit_info nothing;
-    memset(&nothing, 0, sizeof nothing);
-    return oit ? oit->info : nothing;
+    oit_info info;
+    int i;
+    memset(&info, 0, sizeof info);
+    if (!oit)
+        return info;
+    info = oit->info;
+    for (i = 0; i < OIT_I_BUFFER_COUNT; ++i)
+        info.bytes += (uint64_t)oit->sizes[i];
+    return info;
 }
 
-OIT_I_API const char *oit_result_string(oit_result result) {
-    static const char *const strings[] = {
-#define OIT_I_STRING(name, text) text,
-        OIT_RESULTS(OIT_I_STRING)
-#undef OIT_I_STRING
-    };
-    return (unsigned)result < (unsigned)OIT_RESULT_COUNT ? strings[result] : "not a result";
+/* ---- buffers ---------------------------------------------------------------------------------------------------- */
+
+/* All work on buffers goes through this target, so that one binding is all that has to be put back. */
+static int32_t oit_i_borrow_target(const oit_context *oit) {
+    int32_t bound = 0;
+    oit->gl.gl_GetIntegerv(OIT_I_GL_COPY_WRITE_BUFFER, &bound);
+    return bound;
 }
 
-#ifdef __cplusplus
+static void oit_i_return_target(const oit_context *oit, int32_t bound) {
+    oit->gl.gl_BindBuffer(OIT_I_GL_COPY_WRITE_BUFFER, (oit_i_u)bound);
 }
-#endif
+
+/* glGetError is the host's: whether there was memory shows in the size that the buffer has afterwards. Left bound. */
+static int oit_i_resize(oit_context *oit, int index, int64_t bytes, oit_i_u usage) {
+    int64_t got = -1;
+    if (!oit->buffers[index])
+        oit->gl.gl_GenBuffers(1, &oit->buffers[index]);
+    if (!oit->buffers[index])
+        return 0;
+    oit->gl.gl_BindBuffer(OIT_I_GL_COPY_WRITE_BUFFER, oit->buffers[index]);
+    oit->gl.gl_BufferData(OIT_I_GL_COPY_WRITE_BUFFER, (ptrdiff_t)bytes, 0, usage);
+    oit->gl.gl_GetBufferParameteri64v(OIT_I_GL_COPY_WRITE_BUFFER, OIT_I_GL_BUFFER_SIZE, &got);
+    oit->sizes[index] = got == bytes ? bytes : 0;
+    if (got == bytes)
+        return 1;
+    oit->gl.gl_DeleteBuffers(1, &oit->buffers[index]);
+    oit->buffers[index] = 0;
+    return 0;
+}
+
+static oit_i_u oit_i_blocks(int64_t pixels) {
+    return (oit_i_u)((pixels + OIT_I_SCAN_BLOCK - 1) / OIT_I_SCAN_BLOCK);
+}
+
+/* Of the pixel buffer, laid out as shaders/oit_frame_block.glsl says. */
+static int64_t oit_i_pixel_bytes(const oit_context *oit, int64_t pixels) {
+    int64_t words = OIT_I_HEADER_WORDS + 2 * pixels + 2 + (int64_t)oit_i_blocks(pixels);
+    if (oit->desc.fit == OIT_FIT_ASYNC)
+        words += 4 * pixels;
+    return 4 * words;
+}
+
+/* Rows of the image that one pixel buffer holds: all, or as many as fit; 0 where not even one does. */
+static int oit_i_rows_at_once(const oit_context *oit, int width, int height) {
+    int low = 0, high = height;
+    while (low < high) {
+        int middle = low + (high - low + 1) / 2;
+        if (oit_i_pixel_bytes(oit, (int64_t)width * middle) <= oit->desc.max_block_bytes)
+            low = middle;
+        else
+            high = middle - 1;
+    }
+    return low;
+}
+
+static int64_t oit_i_record_bytes(const oit_context *oit) {
+    return oit->info.fragment_bytes;
+}
+
+/* A pool for so many fragments, or, where that is over the ceiling or there is no memory for it, for fewer. */
+static oit_result oit_i_set_capacity(oit_context *oit, uint64_t wanted, const char *function) {
+    int64_t record = oit_i_record_bytes(oit), most = oit->desc.ceiling_bytes / record;
+    int64_t fragments = wanted > (uint64_t)most ? most : (int64_t)wanted;
+    for (; fragments > 0; fragments /= 2) {
+        if (oit_i_resize(oit, OIT_I_FRAGMENTS, fragments * record, OIT_I_GL_DYNAMIC_COPY)) {
+            oit->capacity = (oit_i_u)fragments;
+            oit->small_needs = 0;
+            return OIT_OK;
+        }
+    }
+    oit->capacity = 0;
+    return oit_i_fail(&oit->desc, OIT_OUT_OF_MEMORY, function, "no memory for the fragments");
+}
+
+static uint64_t oit_i_with_quarter(uint64_t fragments) {
+    return fragments + fragments / 4 + 1;
+}
+
+/* Growth by a quarter more than is needed; shrinkage when for 60 frames in a row less than half of that was. */
+static int oit_i_capacity_is_wrong(oit_context *oit, oit_i_u needed) {
+    uint64_t wanted = oit_i_with_quarter(needed);
+    int64_t most = oit->desc.ceiling_bytes / oit_i_record_bytes(oit);
+    oit->small_needs = 2 * wanted < oit->capacity ? oit->small_needs + 1 : 0;
+    return (needed > oit->capacity && (int64_t)oit->capacity < most) || oit->small_needs >= 60;
+}
+
+/* The uniform block: uploaded only when it changes. */
+static oit_result oit_i_upload_block(oit_context *oit, const oit_i_block *block) {
+    if (oit->sizes[OIT_I_UNIFORMS] && memcmp(block, &oit->block, sizeof *block) == 0)
+        return OIT_OK;
+    if (!oit->sizes[OIT_I_UNIFORMS] &&
+        !oit_i_resize(oit, OIT_I_UNIFORMS, (int64_t)sizeof *block, OIT_I_GL_DYNAMIC_DRAW))
+        return oit_i_fail(&oit->desc, OIT_OUT_OF_MEMORY, "oit_begin", "no memory for the uniform block");
+    oit->gl.gl_BindBuffer(OIT_I_GL_COPY_WRITE_BUFFER, oit->buffers[OIT_I_UNIFORMS]);
+    oit->gl.gl_BufferSubData(OIT_I_GL_COPY_WRITE_BUFFER, 0, (ptrdiff_t)sizeof *block, block);
+    oit->block = *block;
+    return OIT_OK;
+}
+
+static oit_result oit_i_make_buffers(oit_context *oit) {
+    int64_t pixels = (int64_t)oit->frame.width * oit->rows, bytes = oit_i_pixel_bytes(oit, pixels);
+    int i;
+    /* Sizes that come and go, as while a window is dragged, do not make a new buffer each. */
+    if (oit->sizes[OIT_I_PIXELS] < bytes || oit->sizes[OIT_I_PIXELS] / 4 > bytes)
+        if (!oit_i_resize(oit, OIT_I_PIXELS, bytes, OIT_I_GL_DYNAMIC_COPY))
+            return oit_i_fail(&oit->desc, OIT_OUT_OF_MEMORY, "oit_begin", "no memory for the pixels");
+    for (i = OIT_I_REPORT; i < OIT_I_REPORT + OIT_I_REPORTS; ++i)
+        if (!oit->sizes[i] && !oit_i_resize(oit, i, 32, OIT_I_GL_DYNAMIC_READ))
+            return oit_i_fail(&oit->desc, OIT_OUT_OF_MEMORY, "oit_begin", "no memory for the reports");
+    if (oit->desc.fit == OIT_FIT_WAIT && oit->capacity)
+        return OIT_OK;
+    if (!oit->capacity)
+        return oit_i_set_capacity(
+            oit, oit->report.needed ? oit_i_with_quarter(oit->report.needed) : 4 * (uint64_t)pixels, "oit_begin");
+    return OIT_OK;
+}
+
+/* ---- reports ---------------------------------------------------------------------------------------------------- */
+
+/* Totals of a report buffer; the buffer's own barrier and fence are behind us. */
+static int oit_i_read_totals(const oit_context *oit, int slot, oit_i_u totals[6]) {
+    const void *mapped;
+    oit->gl.gl_BindBuffer(OIT_I_GL_COPY_WRITE_BUFFER, oit->buffers[OIT_I_REPORT + slot]);
+    mapped = oit->gl.gl_MapBufferRange(OIT_I_GL_COPY_WRITE_BUFFER, 0, 32, OIT_I_GL_MAP_READ_BIT);
+    if (!mapped)
+        return 0;
+    memcpy(totals, mapped, 6 * sizeof totals[0]);
+    oit->gl.gl_UnmapBuffer(OIT_I_GL_COPY_WRITE_BUFFER);
+    return 1;
+}
+
+static int oit_i_fence_passed(const oit_context *oit, oit_i_sync fence, int wait) {
+    oit_i_u status;
+    do {
+        status = oit->gl.gl_ClientWaitSync(fence, OIT_I_GL_SYNC_FLUSH_COMMANDS_BIT, wait ? 1000000000u : 0u);
+        if (status == OIT_I_GL_ALREADY_SIGNALED || status == OIT_I_GL_CONDITION_SATISFIED)
+            return 1;
+    } while (wait && status == 0x911Bu); /* GL_TIMEOUT_EXPIRED */
+    return 0;
+}
+
+/* Takes the reports whose frames are finished. The target must be borrowed. Returns whether one was new. */
+static int oit_i_take_reports(oit_context *oit, int wait) {
+    int slot, news = 0;
+    for (slot = 0; slot < OIT_I_REPORTS; ++slot) {
+        oit_i_u totals[6];
+        if (!oit->fences[slot] || !oit_i_fence_passed(oit, oit->fences[slot], wait))
+            continue;
+        oit->gl.gl_DeleteSync(oit->fences[slot]);
+        oit->fences[slot] = 0;
+        if (oit->pending[slot].frame < oit->report.frame || !oit_i_read_totals(oit, slot, totals))
+            continue;
+        oit->report = oit->pending[slot];
+        oit->report.needed = totals[0];
+        oit->report.deepest = totals[1];
+        oit->report.lost_pixels = totals[2];
+        oit->report.lost = totals[3];
+        oit->report.extra = totals[4];
+        news = 1;
+    }
+    return news;
+}
+
+OIT_I_API oit_result oit_get_report(oit_context *oit, oit_report *report) {
+    int32_t bound;
+    if (!oit || !report)
+        return OIT_INVALID_ARGUMENT;
+    if (oit->desc.fit == OIT_FIT_WAIT && !oit->in_frame) {
+        bound = oit_i_borrow_target(oit);
+        oit_i_take_reports(oit, 1);
+        oit_i_return_target(oit, bound);
+    }
+    *report = oit->report;
+    return OIT_OK;
+}
+
+/* ---- the sequence ----------------------------------------------------------------------------------------------- */
+
+/* By its bits: comparisons with NaN are what -ffast-math takes away. */
+static int oit_i_all_finite(const float *numbers, int count) {
+    int i;
+    for (i = 0; i < count; ++i) {
+        oit_i_u bits;
+        memcpy(&bits, &numbers[i], sizeof bits);
+        if ((bits & 0x7f800000u) == 0x7f800000u)
+            return 0;
+    }
+    return 1;
+}
+
+static oit_result oit_i_check_frame(oit_context *oit, const oit_frame *frame) {
+    if (!oit_i_all_finite(&frame->background_weight, 1) || !oit_i_all_finite(frame->light, 3))
+        return oit_i_fail(&oit->desc, OIT_INVALID_ARGUMENT, "oit_begin", "a number of the frame is not finite");
+    if (frame->width < 0 || frame->height < 0)
+        return oit_i_fail(&oit->desc, OIT_INVALID_ARGUMENT, "oit_begin", "frame.width or frame.height is negative");
+    if (frame->width > oit->max_viewport[0] || frame->height > oit->max_viewport[1])
+        return oit_i_fail(&oit->desc, OIT_TOO_LARGE, "oit_begin", "frame.width or frame.height");
+    oit->rows = oit_i_rows_at_once(oit, frame->width, frame->height);
+    if (oit->rows == 0 && frame->width > 0 && frame->height > 0)
+        return oit_i_fail(&oit->desc, OIT_TOO_LARGE, "oit_begin", "one row is more than a storage block holds");
+    if (oit->rows < frame->height && oit->desc.state == OIT_STATE_NONE)
+        return oit_i_fail(&oit->desc, OIT_TOO_LARGE, "oit_begin",
+                          "the image is more than a storage block holds, and OIT_STATE_NONE draws it at once or not");
+    return OIT_OK;
+}
+
+static oit_result oit_i_check_target(oit_context *oit) {
+    int32_t bound = 0, samples = 0;
+    oit->gl.gl_BindFramebuffer(OIT_I_GL_DRAW_FRAMEBUFFER, oit->frame.framebuffer);
+    /* A name that is none is not bound, and what was bound before would pass for it. */
+    oit->gl.gl_GetIntegerv(OIT_I_GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+    if ((oit_i_u)bound != oit->frame.framebuffer ||
+        oit->gl.gl_CheckFramebufferStatus(OIT_I_GL_DRAW_FRAMEBUFFER) != OIT_I_GL_FRAMEBUFFER_COMPLETE)
+        return oit_i_fail(&oit->desc, OIT_TARGET_INCOMPLETE, "oit_begin", "frame.framebuffer");
+    oit->gl.gl_GetIntegerv(OIT_I_GL_SAMPLES, &samples);
+    return samples > 0 ? oit_i_fail(&oit->desc, OIT_TARGET_MULTISAMPLED, "oit_begin", "frame.framebuffer") : OIT_OK;
+}
+
+static void oit_i_unit_vector(float out[4], const float in[3]) {
+    double x = (double)in[0], y = (double)in[1], z = (double)in[2], length = sqrt(x * x + y * y + z * z);
+    int i;
+    for (i = 0; i < 3; ++i)
+        out[i] = length > 0.0 ? (float)((double)in[i] / length) : 0.0f;
+}
+
+static oit_i_block oit_i_make_block(const oit_context *oit) {
+    const oit_frame *frame = &oit->frame;
+    float weight = frame->background_weight;
+    int64_t pixels = (int64_t)frame->width * oit->slab_rows;
+    oit_i_block block;
+    memset(&block, 0, sizeof block);
+    block.area[0] = frame->x;
+    block.area[1] = frame->y + oit->slab_y;
+    block.area[2] = frame->width;
+    block.area[3] = oit->slab_rows;
+    block.pool[0] = (oit_i_u)pixels;
+    block.pool[1] = oit->part_start;
+    block.pool[2] = oit->capacity;
+    block.pool[3] = oit_i_blocks(pixels);
+    block.step[0] = oit->slab_y == 0;
+    oit_i_unit_vector(block.light, frame->light);
+    block.light[3] = weight == 0.0f ? 1.0f : weight < 0.0f ? 0.0f : weight > 1.0f ? 1.0f : weight;
+    return block;
+}
+
+static int oit_i_compose_draws(const oit_context *oit) {
+    int two = (oit->desc.fields & OIT_FIELD_BLEND) && !oit->has_dual;
+    return (two ? 2 : 1) * (OIT_I_CLASSES + 1);
+}
+
+static oit_result oit_i_make_programs(oit_context *oit) {
+    int i, last = OIT_I_PROGRAM_COMPOSE + oit_i_compose_draws(oit);
+    oit_result result = OIT_OK;
+    for (i = 0; i < last && result == OIT_OK; ++i) {
+        int tail = i >= OIT_I_PROGRAM_COMPOSE && (i - OIT_I_PROGRAM_COMPOSE) % (OIT_I_CLASSES + 1) == OIT_I_CLASSES;
+        if (!tail || oit->desc.fit == OIT_FIT_ASYNC)
+            result = oit_i_make_program(oit, i);
+    }
+    return result;
+}
+
+/* All that a frame needs; in a steady one nothing is missing, and the block is the same. */
+static oit_result oit_i_prepare(oit_context *oit) {
+    oit_i_block block;
+    int32_t bound = oit_i_borrow_target(oit);
+    int news = oit_i_take_reports(oit, 0);
+    oit_result result = oit_i_make_programs(oit);
+    if (result == OIT_OK && !oit->vertex_array)
+        oit->gl.gl_GenVertexArrays(1, &oit->vertex_array);
+    if (result == OIT_OK)
+        result = oit_i_make_buffers(oit);
+    if (result == OIT_OK && news && oit->desc.fit == OIT_FIT_ASYNC && oit_i_capacity_is_wrong(oit, oit->report.needed))
+        result = oit_i_set_capacity(oit, oit_i_with_quarter(oit->report.needed), "oit_begin");
+    if (result == OIT_OK) {
+        block = oit_i_make_block(oit);
+        result = oit_i_upload_block(oit, &block);
+    }
+    oit_i_return_target(oit, bound);
+    return result;
+}
+
+static int oit_i_free_slot(oit_context *oit) {
+    int slot = (int)(oit->frame_number % OIT_I_REPORTS);
+    if (oit->fences[slot] && oit->desc.fit == OIT_FIT_WAIT)
+        oit_i_take_reports(oit, 1);
+    return oit->fences[slot] ? -1 : slot;
+}
+
+OIT_I_API oit_result oit_begin(oit_context *oit, const oit_frame *frame) {
+    oit_result result;
+    if (!oit || !frame)
+        return OIT_INVALID_ARGUMENT;
+    if (oit->in_frame)
+        return oit_i_fail(&oit->desc, OIT_WRONG_ORDER, "oit_begin", "inside of a frame");
+    result = oit_i_check_frame(oit, frame);
+    if (result != OIT_OK)
+        return result;
+    oit->frame = *frame;
+    oit->slab_y = 0;
+    oit->slab_rows = oit->rows;
+    oit->part_start = 0;
+    oit->failure = OIT_OK;
+    oit->saved_state = 0;
+    oit->slot = -1;
+    oit->bands = 0;
+    oit->step = frame->width && frame->height ? OIT_I_STEP_CLEAR : OIT_I_STEP_DONE;
+    if (oit->step == OIT_I_STEP_CLEAR) {
+        if (oit->desc.state != OIT_STATE_NONE) {
+            oit_i_save(oit, &oit->saved);
+            oit->saved_state = 1;
+            result = oit_i_check_target(oit);
+        }
+        if (result == OIT_OK)
+            result = oit_i_prepare(oit);
+        if (result != OIT_OK) {
+            if (oit->saved_state)
+                oit_i_restore(oit, &oit->saved);
+            return result;
+        }
+        ++oit->frame_number;
+        oit->slot = oit_i_free_slot(oit);
+    }
+    oit->in_frame = 1;
+    return OIT_OK;
+}
+
+/* What writes a buffer before a pass, and what the pass does with it; everything is incoherent to GL, so each step takes
+   a barrier of shader storage before it:
+
+     pass     reads and writes                        after
+     clear    pixels: counts, totals      written     compose and report of the frame or slab before, which read them
+     count    pixels: counts              atomics     clear
+     sum      pixels: counts read; sums   written     count
+     tops     pixels: sums                both        sum
+     spread   pixels: sums, counts read; starts written (and the tail cleared)   tops
+     report   pixels: totals read; report written     spread (totals), fill and compose (extra, at the end)
+     fill     pixels: starts read, counts atomics; fragments written             spread; compose of the band before
+     compose  pixels, fragments           read        fill
+
+   What the CPU maps (report; starts, to cut bands) takes a barrier of buffer updates, and then its fence, or waits. */
+static oit_i_u oit_i_barrier_before(oit_pass_kind kind) {
+    switch (kind) {
+    case OIT_PASS_CLEAR:
+        return OIT_I_GL_SHADER_STORAGE_BARRIER;
+    case OIT_PASS_COUNT:
+        return OIT_I_GL_SHADER_STORAGE_BARRIER;
+    case OIT_PASS_SUM:
+        return OIT_I_GL_SHADER_STORAGE_BARRIER;
+    case OIT_PASS_TOPS:
+        return OIT_I_GL_SHADER_STORAGE_BARRIER;
+    case OIT_PASS_SPREAD:
+        return OIT_I_GL_SHADER_STORAGE_BARRIER;
+    case OIT_PASS_REPORT:
+        return OIT_I_GL_SHADER_STORAGE_BARRIER;
+    case OIT_PASS_FILL:
+        return OIT_I_GL_SHADER_STORAGE_BARRIER;
+    default: /* compose; its draws only read, so once before the first */
+        return OIT_I_GL_SHADER_STORAGE_BARRIER;
+    }
+}
+
+static int oit_i_is_hosts(oit_pass_kind kind) {
+    return kind == OIT_PASS_COUNT || kind == OIT_PASS_FILL;
+}
+
+static int oit_i_program_of(const oit_context *oit, oit_pass_kind kind) {
+    switch (kind) {
+    case OIT_PASS_CLEAR:
+        return OIT_I_PROGRAM_CLEAR;
+    case OIT_PASS_COUNT:
+        return OIT_I_PROGRAM_COUNT;
+    case OIT_PASS_SUM:
+        return OIT_I_PROGRAM_SUM;
+    case OIT_PASS_TOPS:
+        return OIT_I_PROGRAM_TOPS;
+    case OIT_PASS_SPREAD:
+        return OIT_I_PROGRAM_SPREAD;
+    case OIT_PASS_REPORT:
+        return OIT_I_PROGRAM_REPORT;
+    case OIT_PASS_FILL:
+        return OIT_I_PROGRAM_FILL;
+    default:
+        return OIT_I_PROGRAM_COMPOSE + oit->compose_index;
+    }
+}
+
+static void oit_i_fill_groups(const oit_context *oit, oit_pass_kind kind, oit_state *state) {
+    oit_i_u blocks = oit->block.pool[3];
+    state->groups[0] = state->groups[1] = state->groups[2] = 1;
+    /* A dimension has at least 65,535 groups everywhere. */
+    if (kind != OIT_PASS_TOPS && kind != OIT_PASS_REPORT && blocks > 1) {
+        state->groups[0] = blocks < 32768u ? blocks : 32768u;
+        state->groups[1] = (blocks + state->groups[0] - 1) / state->groups[0];
+    }
+}
+
+static void oit_i_fill_blend(const oit_context *oit, oit_state *state) {
+    state->color_write = 1;
+    state->blend = 1;
+    state->blend_source = OIT_I_GL_ONE;
+    state->blend_destination = OIT_I_GL_SRC_ALPHA;
+    if (!(oit->desc.fields & OIT_FIELD_BLEND))
+        return;
+    if (oit->has_dual) {
+        state->blend_destination = OIT_I_GL_SRC1_COLOR;
+    } else if (oit->compose_index <= OIT_I_CLASSES) {
+        state->blend_source = OIT_I_GL_ZERO;
+        state->blend_destination = OIT_I_GL_SRC_COLOR;
+    } else {
+        state->blend_destination = OIT_I_GL_ONE;
+    }
+}
+
+static void oit_i_fill_pass(const oit_context *oit, oit_pass_kind kind, oit_pass *pass) {
+    oit_state *state = &pass->state;
+    const int *part = oit->part;
+    int compose = kind == OIT_PASS_COMPOSE, i;
+    memset(pass, 0, sizeof *pass);
+    pass->kind = kind;
+    pass->name = oit_pass_kind_name(kind);
+    if (!compose || oit->compose_index == 0)
+        pass->barriers = oit_i_barrier_before(kind);
+    state->program = oit->programs[oit_i_program_of(oit, kind)];
+    for (i = 0; i < 2; ++i)
+        state->storage_buffers[i] = oit->buffers[OIT_I_PIXELS + i];
+    state->storage_buffers[2] = oit->slot >= 0 ? oit->buffers[OIT_I_REPORT + oit->slot] : 0;
+    state->first_storage_binding = oit->desc.first_storage_binding;
+    state->uniform_buffer = oit->buffers[OIT_I_UNIFORMS];
+    state->uniform_binding = oit->desc.uniform_binding;
+    state->blend_source = OIT_I_GL_ONE;
+    state->depth_func = oit->desc.reversed_z ? OIT_I_GL_GREATER : OIT_I_GL_LESS;
+    if (!oit_i_is_hosts(kind) && !compose) {
+        oit_i_fill_groups(oit, kind, state);
+        return;
+    }
+    state->framebuffer = oit->frame.framebuffer;
+    state->viewport[0] = oit->frame.x;
+    state->viewport[1] = oit->frame.y;
+    state->viewport[2] = oit->frame.width;
+    state->viewport[3] = oit->frame.height;
+    state->scissor[0] = oit->frame.x + (kind == OIT_PASS_COUNT ? 0 : part[0]);
+    state->scissor[1] = oit->frame.y + oit->slab_y + (kind == OIT_PASS_COUNT ? 0 : part[1]);
+    state->scissor[2] = kind == OIT_PASS_COUNT ? oit->frame.width : part[2];
+    state->scissor[3] = kind == OIT_PASS_COUNT ? oit->slab_rows : part[3];
+    state->depth_test = !compose;
+    if (compose) {
+        oit_i_fill_blend(oit, state);
+        state->vertex_array = oit->vertex_array;
+        state->vertex_count = 3;
+    }
+}
+
+/* Dispatches, or draws the triangle; the host's vertex array stays bound for its own draws. */
+static void oit_i_execute(const oit_context *oit, const oit_state *state) {
+    int32_t vertex_array = 0;
+    if (state->groups[0]) {
+        oit->gl.gl_DispatchCompute(state->groups[0], state->groups[1], state->groups[2]);
+        return;
+    }
+    oit->gl.gl_GetIntegerv(OIT_I_GL_VERTEX_ARRAY_BINDING, &vertex_array);
+    oit->gl.gl_BindVertexArray(state->vertex_array);
+    oit->gl.gl_DrawArrays(OIT_I_GL_TRIANGLES, 0, state->vertex_count);
+    oit->gl.gl_BindVertexArray((oit_i_u)vertex_array);
+}
+
+static int oit_i_part_end(const oit_context *oit) {
+    return oit->part[1] * oit->frame.width + oit->part[0] + (oit->part[3] - 1) * oit->frame.width + oit->part[2];
+}
+
+/* The band from pixel `first` on: as many whole rows as the pool holds, or as much of one row. starts[2 i] is where the
+   run of pixel first + i starts. */
+static oit_result oit_i_cut(oit_context *oit, const oit_i_u *starts, int first) {
+    int width = oit->frame.width, left = width * oit->slab_rows - first, x = first % width, rows = 0, columns = 0;
+    while (x == 0 && (rows + 1) * width <= left && starts[2 * (rows + 1) * width] - starts[0] <= oit->capacity)
+        ++rows;
+    while (rows == 0 && x + columns < width && starts[2 * (columns + 1)] - starts[0] <= oit->capacity)
+        ++columns;
+    if (rows == 0 && columns == 0)
+        return oit_i_fail(&oit->desc, OIT_PIXEL_TOO_DEEP, "oit_next_pass", oit_result_string(OIT_PIXEL_TOO_DEEP));
+    oit->part[0] = x;
+    oit->part[1] = first / width;
+    oit->part[2] = rows ? width : columns;
+    oit->part[3] = rows ? rows : 1;
+    oit->part_start = starts[0];
+    return OIT_OK;
+}
+
+/* OIT_FIT_WAIT, and the slab needs more than the pool holds. */
+static oit_result oit_i_next_band(oit_context *oit, int first) {
+    ptrdiff_t offset = 4 * (OIT_I_HEADER_WORDS + 2 * (ptrdiff_t)first);
+    ptrdiff_t length = 8 * ((ptrdiff_t)oit->frame.width * oit->slab_rows - first) + 4;
+    const void *mapped;
+    oit_result result;
+    oit->gl.gl_MemoryBarrier(OIT_I_GL_BUFFER_UPDATE_BARRIER);
+    oit->gl.gl_BindBuffer(OIT_I_GL_COPY_WRITE_BUFFER, oit->buffers[OIT_I_PIXELS]);
+    mapped = oit->gl.gl_MapBufferRange(OIT_I_GL_COPY_WRITE_BUFFER, offset, length, OIT_I_GL_MAP_READ_BIT);
+    if (!mapped)
+        return oit_i_fail(&oit->desc, OIT_OUT_OF_MEMORY, "oit_next_pass", "the pixels cannot be mapped");
+    result = oit_i_cut(oit, (const oit_i_u *)mapped, first);
+    oit->gl.gl_UnmapBuffer(OIT_I_GL_COPY_WRITE_BUFFER);
+    return result;
+}
+
+/* What is filled next: the whole slab, or a band of it. */
+static oit_result oit_i_next_part(oit_context *oit, int first) {
+    oit_i_block block;
+    oit_result result = OIT_OK;
+    int32_t bound;
+    oit->part[0] = oit->part[1] = 0;
+    oit->part[2] = oit->frame.width;
+    oit->part[3] = oit->slab_rows;
+    oit->part_start = 0;
+    if (oit->desc.fit == OIT_FIT_ASYNC)
+        return OIT_OK;
+    bound = oit_i_borrow_target(oit);
+    if (oit->needed > oit->capacity)
+        result = oit_i_next_band(oit, first);
+    block = oit_i_make_block(oit);
+    if (result == OIT_OK)
+        result = oit_i_upload_block(oit, &block);
+    oit_i_return_target(oit, bound);
+    return result;
+}
+
+/* OIT_FIT_WAIT: how much the slab needs is read, and the pool made to hold it if that may be. */
+static oit_result oit_i_measure(oit_context *oit) {
+    oit_i_u totals[6];
+    int32_t bound = oit_i_borrow_target(oit);
+    oit_result result = OIT_OK;
+    oit->gl.gl_MemoryBarrier(OIT_I_GL_BUFFER_UPDATE_BARRIER);
+    if (!oit_i_read_totals(oit, oit->slot, totals))
+        result = oit_i_fail(&oit->desc, OIT_OUT_OF_MEMORY, "oit_next_pass", "the report cannot be mapped");
+    else if (totals[5] == 0xffffffffu)
+        result = oit_i_fail(&oit->desc, OIT_TOO_LARGE, "oit_next_pass", "2^32 fragments or more");
+    if (result == OIT_OK) {
+        oit->needed = totals[5];
+        oit->deepest = totals[1];
+        if (oit_i_capacity_is_wrong(oit, oit->needed))
+            result = oit_i_set_capacity(oit, oit_i_with_quarter(oit->needed), "oit_next_pass");
+    }
+    oit_i_return_target(oit, bound);
+    return result;
+}
+
+static oit_result oit_i_next_slab(oit_context *oit) {
+    oit_i_block block;
+    int32_t bound = oit_i_borrow_target(oit);
+    oit_result result;
+    oit->slab_y += oit->slab_rows;
+    oit->slab_rows = oit->frame.height - oit->slab_y < oit->rows ? oit->frame.height - oit->slab_y : oit->rows;
+    oit->part_start = 0;
+    block = oit_i_make_block(oit);
+    result = oit_i_upload_block(oit, &block);
+    oit_i_return_target(oit, bound);
+    return result;
+}
+
+static int oit_i_is_last_part(const oit_context *oit) {
+    return oit_i_part_end(oit) == oit->frame.width * oit->slab_rows &&
+           oit->slab_y + oit->slab_rows == oit->frame.height;
+}
+
+/* Draws of a class that no pixel is in are left out, where it is known. */
+static int oit_i_is_needed(const oit_context *oit, int draw) {
+    int index = draw % (OIT_I_CLASSES + 1);
+    if (oit->desc.fit == OIT_FIT_ASYNC)
+        return 1;
+    return index < OIT_I_CLASSES && oit->deepest > (oit_i_u)oit_i_class_above[index];
+}
+
+static void oit_i_skip_draws(oit_context *oit) {
+    while (oit->compose_index < oit_i_compose_draws(oit) && !oit_i_is_needed(oit, oit->compose_index))
+        ++oit->compose_index;
+}
+
+static void oit_i_start_composing(oit_context *oit) {
+    oit->step = OIT_I_STEP_COMPOSE;
+    oit->compose_index = 0;
+}
+
+/* After the last draw of a part. */
+static oit_result oit_i_after_part(oit_context *oit) {
+    if (oit_i_is_last_part(oit)) {
+        oit->step = oit->slot >= 0 ? OIT_I_STEP_REPORT : OIT_I_STEP_DONE;
+        return OIT_OK;
+    }
+    if (oit_i_part_end(oit) < oit->frame.width * oit->slab_rows) {
+        oit->step = OIT_I_STEP_FILL;
+        return oit_i_next_part(oit, oit_i_part_end(oit));
+    }
+    oit->step = OIT_I_STEP_CLEAR;
+    return oit_i_next_slab(oit);
+}
+
+/* The pass of the present step, and the step after it. Returns 0 where there is no pass. */
+static int oit_i_take_step(oit_context *oit, oit_pass_kind *kind) {
+    static const oit_pass_kind kinds[OIT_I_STEP_FILL] = {OIT_PASS_CLEAR, OIT_PASS_COUNT,  OIT_PASS_SUM,
+                                                         OIT_PASS_TOPS,  OIT_PASS_SPREAD, OIT_PASS_REPORT};
+    int wait = oit->desc.fit == OIT_FIT_WAIT;
+    switch (oit->step) {
+    case OIT_I_STEP_FILLED:
+    case OIT_I_STEP_DONE:
+        return 0;
+    case OIT_I_STEP_COMPOSE:
+        *kind = OIT_PASS_COMPOSE;
+        return 1;
+    case OIT_I_STEP_REPORT:
+        *kind = OIT_PASS_REPORT;
+        oit->step = OIT_I_STEP_DONE;
+        return 1;
+    case OIT_I_STEP_FILL:
+        *kind = OIT_PASS_FILL;
+        if (oit_i_is_last_part(oit))
+            oit->step = OIT_I_STEP_FILLED;
+        else
+            oit_i_start_composing(oit);
+        return 1;
+    default:
+        *kind = kinds[(int)oit->step % (int)OIT_I_STEP_FILL];
+        oit->step = oit->step == OIT_I_STEP_SPREAD && !wait ? OIT_I_STEP_FILL : (oit_i_step)((int)oit->step + 1);
+        return 1;
+    }
+}
+
+OIT_I_API int oit_next_pass(oit_context *oit, oit_pass *pass) {
+    oit_pass_kind kind;
+    int was_measure, was_spread;
+    if (!oit || !pass || !oit->in_frame)
+        return 0;
+    while (oit->failure == OIT_OK) {
+        if (oit->step == OIT_I_STEP_COMPOSE) {
+            oit_i_skip_draws(oit);
+            if (oit->compose_index == oit_i_compose_draws(oit)) {
+                oit->failure = oit_i_after_part(oit);
+                continue;
+            }
+        }
+        was_measure = oit->step == OIT_I_STEP_MEASURE;
+        was_spread = oit->step == OIT_I_STEP_SPREAD;
+        if (!oit_i_take_step(oit, &kind))
+            return 0;
+        if (kind == OIT_PASS_FILL)
+            ++oit->bands;
+        oit_i_fill_pass(oit, kind, pass);
+        if (kind == OIT_PASS_COMPOSE)
+            ++oit->compose_index;
+        if (pass->barriers)
+            oit->gl.gl_MemoryBarrier(pass->barriers);
+        if (oit->desc.state != OIT_STATE_NONE)
+            oit_i_apply(oit, &pass->state);
+        if (was_spread)
+            oit->failure = oit->desc.fit == OIT_FIT_ASYNC ? oit_i_next_part(oit, 0) : OIT_OK;
+        if (oit->desc.state == OIT_STATE_NONE || oit_i_is_hosts(kind))
+            return 1;
+        oit_i_execute(oit, &pass->state);
+        if (was_measure)
+            oit->failure = oit_i_measure(oit);
+        if (was_measure && oit->failure == OIT_OK)
+            oit->failure = oit_i_next_part(oit, 0);
+    }
+    return 0;
+}
+
+OIT_I_API oit_result oit_compose(oit_context *oit) {
+    oit_pass pass;
+    if (!oit)
+        return OIT_INVALID_ARGUMENT;
+    if (!oit->in_frame)
+        return oit_i_fail(&oit->desc, OIT_WRONG_ORDER, "oit_compose", "outside of a frame");
+    if (oit->failure != OIT_OK || oit->step == OIT_I_STEP_DONE)
+        return oit->failure;
+    if (oit->step != OIT_I_STEP_FILLED)
+        return oit_i_fail(&oit->desc, OIT_WRONG_ORDER, "oit_compose", "before oit_next_pass has returned 0");
+    oit_i_start_composing(oit);
+    if (oit->desc.state != OIT_STATE_NONE)
+        oit_next_pass(oit, &pass);
+    return oit->failure;
+}
+
+OIT_I_API oit_result oit_end(oit_context *oit) {
+    if (!oit)
+        return OIT_INVALID_ARGUMENT;
+    if (!oit->in_frame)
+        return oit_i_fail(&oit->desc, OIT_WRONG_ORDER, "oit_end", "outside of a frame");
+    oit->in_frame = 0;
+    if (oit->step == OIT_I_STEP_DONE && oit->slot >= 0 && oit->failure == OIT_OK) {
+        oit_report *pending = &oit->pending[oit->slot];
+        memset(pending, 0, sizeof *pending);
+        pending->frame = oit->frame_number;
+        pending->capacity = oit->capacity;
+        pending->bands = oit->bands;
+        oit->gl.gl_MemoryBarrier(OIT_I_GL_BUFFER_UPDATE_BARRIER);
+        oit->fences[oit->slot] = oit->gl.gl_FenceSync(OIT_I_GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+    }
+    if (oit->saved_state && oit->desc.state == OIT_STATE_LEAVE_DEFAULTS)
+        oit_i_save_defaults(&oit->saved);
+    if (oit->saved_state && oit->desc.state != OIT_STATE_LEAVE_DIRTY)
+        oit_i_restore(oit, &oit->saved);
+    return oit->failure;
+}
+
+OIT_I_API void oit_set_material(oit_context *oit, const oit_pass *pass, const oit_material *material) {
+    const oit_i_surface *surface;
+    oit_i_u object[4];
+    if (!oit || !pass || !material || !oit_i_is_hosts(pass->kind))
+        return;
+    surface = &oit->surfaces[pass->kind == OIT_PASS_FILL];
+    object[0] = material->part;
+    object[1] = material->key;
+    object[2] = material->blend;
+    object[3] = 0;
+    oit->gl.gl_UniformMatrix4fv(surface->model_view_projection, 1, 0, material->model_view_projection);
+    /* A location of -1 is of what the pass does not use, and setting it is no error. */
+    oit->gl.gl_UniformMatrix3fv(surface->normal_matrix, 1, 0, material->normal_matrix);
+    oit->gl.gl_Uniform4fv(surface->color, 1, material->color);
+    oit->gl.gl_Uniform4uiv(surface->object, 1, object);
+}
 
 #endif /* OIT_BUFFERS_IMPLEMENTATION_ONCE */
 #endif /* OIT_BUFFERS_IMPLEMENTATION */

@@ -1,0 +1,26 @@
+// For: oit_buffers.h
+// What is the same for all of a pass (std140, written by oit_i_upload_block), and where things lie in the pixel buffer.
+layout(std140, binding = OIT_UNIFORM_BINDING) uniform oit_frame
+{
+    highp ivec4 oit_area;  // x, y of the slab's corner in the target, its width and height
+    highp uvec4 oit_pool;  // x: pixels of the slab, y: first fragment of the band, z: capacity, w: blocks of the scan
+    highp uvec4 oit_step;  // x: 1 with the first slab of a frame
+    highp vec4 oit_light;  // xyz: toward the light, unit length; zero: no shading. w: weight of the background
+};
+
+// The pixel buffer: 16 words of totals, then two words a pixel (where its run starts; how many fragments are still to
+// come), one more start, a word for each block of the scan, and four words a pixel for the tail.
+#define OIT_NEEDED 0u      // fragments of the slab that needs most
+#define OIT_DEEPEST 1u     // fragments of the deepest pixel
+#define OIT_LOST_PIXELS 2u // pixels that are composed from the tail
+#define OIT_LOST 3u        // fragments that went to the tail
+#define OIT_EXTRA 4u       // fragments that the fill met and the count had not
+#define OIT_TOTAL 5u       // fragments of this slab
+#define OIT_HEADER 16u
+#define OIT_START(p) (OIT_HEADER + 2u * (p))
+#define OIT_LEFT(p) (OIT_HEADER + 1u + 2u * (p))
+#define OIT_SUM(b) (OIT_HEADER + 2u + 2u * oit_pool.x + (b))
+#define OIT_TAIL(p) (OIT_HEADER + 2u + 2u * oit_pool.x + oit_pool.w + 4u * (p))
+
+// A block of the scan: 128 invocations of 8 pixels each.
+#define OIT_BLOCK 1024u

@@ -1,0 +1,24 @@
+// For: oit_buffers.h
+// Sums that stay at the largest number instead of starting again from zero, and their prefix sum over a work group.
+uint oit_add(uint a, uint b)
+{
+    uint sum = a + b;
+    return sum < a ? 0xffffffffu : sum;
+}
+#ifdef OIT_SCANS
+shared uint oit_scanned[128];
+
+// What lies before this invocation. All 128 must call it.
+uint oit_scan(uint self, uint value)
+{
+    oit_scanned[self] = value;
+    barrier();
+    for (uint reach = 1u; reach < 128u; reach <<= 1u) {
+        uint other = self >= reach ? oit_scanned[self - reach] : 0u;
+        barrier();
+        oit_scanned[self] = oit_add(oit_scanned[self], other);
+        barrier();
+    }
+    return self > 0u ? oit_scanned[self - 1u] : 0u;
+}
+#endif

@@ -1,0 +1,43 @@
+// For: oit_buffers.h
+// Built-in surfaces: the object's colour, lit from both sides where the frame has a light.
+in vec3 oit_v_normal;
+in vec4 oit_v_color;
+uniform vec4 oit_object_color;
+#if OIT_HAS_PART || OIT_HAS_KEY || OIT_HAS_BLEND
+uniform uvec4 oit_object; // part, key, blend
+#endif
+
+void main()
+{
+    vec4 color = oit_object_color;
+    color.rgb += oit_v_color.rgb;
+    float size = dot(oit_v_normal, oit_v_normal);
+    vec3 normal = size > 1.0e-30 ? oit_v_normal * inversesqrt(size) : vec3(0.0, 0.0, 1.0);
+    if (oit_light.xyz != vec3(0.0))
+        color.rgb *= 0.35 + 0.65 * abs(dot(normal, oit_light.xyz));
+#if OIT_PREMULTIPLIED
+    color.rgb *= color.a;
+#endif
+    oit_fragment f;
+    f.color = color;
+#if OIT_HAS_PART
+    f.part = oit_object.x;
+#endif
+#if OIT_HAS_KEY
+    f.key = oit_object.y;
+#endif
+#if OIT_HAS_BLEND
+    f.blend = oit_object.z;
+#endif
+#if OIT_HAS_NORMAL
+    f.normal = normal;
+#endif
+#if OIT_HAS_UV
+    f.uv = vec2(0.0);
+#endif
+#if OIT_HOST_WORDS > 0
+    for (int i = 0; i < OIT_HOST_WORDS; ++i)
+        f.words[i] = 0u;
+#endif
+    oit_store(f);
+}
