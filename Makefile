@@ -39,7 +39,7 @@ mock_tests := $(patsubst tests/%.c,$(out)/tests/%,$(sort $(wildcard tests/mock_*
 gl_tests := $(patsubst tests/%.c,$(out)/tests/%,$(sort $(wildcard tests/gl_*.c)))
 fuzzers := $(patsubst tests/%.c,build/fuzz/%,$(sort $(wildcard tests/fuzz_*.c)))
 benchmarks := $(patsubst bench/%.c,build/bench/%,$(sort $(wildcard bench/*.c)))
-formatted := $(wildcard *.h examples/*.[ch] tests/*.[ch] tests/compile/*.[ch] tools/*.[ch] bench/*.[ch])
+formatted := $(wildcard *.h examples/*.[ch] examples/*/*.[ch] tests/*.[ch] tests/compile/*.[ch] tools/*.[ch] bench/*.[ch])
 glad := build/glad/include/glad/gl.h
 clang_format := $(firstword $(shell command -v clang-format-14 clang-format) clang-format-14)
 # A fresh make, so that packages are there before anything is built; parallel unless the caller chose a number of jobs.
@@ -142,6 +142,10 @@ $(out)/libexamples.a: $(example_modules:%=$(out)/examples/%.o)
 $(out)/illustrate: $(out)/examples/illustrate.o $(out)/libexamples.a
 	$(call say,LINK    $@)$(CC) $(flags) $^ $(program_libraries) -o $@
 
+# The engine that transparency.h is put into; docs/integration.md tells how.
+$(out)/host: $(patsubst %.c,$(out)/%.o,$(sort $(wildcard examples/host/*.c))) $(out)/libexamples.a
+	$(call say,LINK    $@)$(CC) $(flags) $^ $(program_libraries) -o $@
+
 $(out)/tests/%: tests/%.c $(out)/libexamples.a | $(glad)
 	@mkdir -p $(@D)
 	$(call say,CC      $@)$(CC) $(flags) $(includes) $(depends) $< $(out)/libexamples.a $(libraries) -o $@
@@ -158,4 +162,4 @@ build/%: tools/%.c
 	@mkdir -p $(@D)
 	$(call say,CC      $@)$(CC) $(flags) $(includes) $(depends) $< -lm -o $@
 
--include $(wildcard $(out)/*.d $(out)/*/*.d build/bench/*.d build/fuzz/*.d build/*.d)
+-include $(wildcard $(out)/*.d $(out)/*/*.d $(out)/*/*/*.d build/bench/*.d build/fuzz/*.d build/*.d)
