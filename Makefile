@@ -111,13 +111,13 @@ uninstall: ## remove what `make install` installed
 clean: ## remove build/
 	rm -rf build
 
-run-tests: $(unit_tests) $(mock_tests) $(gl_tests) build/illustrate build/embed_shaders $(glad)
+run-tests: $(unit_tests) $(mock_tests) $(gl_tests) build/illustrate build/host build/embed_shaders $(glad)
 	@tools/run_suites $(unit_tests) $(mock_tests) $(gl_tests) \
 	    'env GALLIUM_DRIVER=softpipe GLASSINE_MAX_GL=330 build/tests/gl_hosts' \
 	    'env GALLIUM_DRIVER=softpipe GLASSINE_MAX_GL=330 build/tests/gl_transparency' \
 	    'tests/compile/headers_alone build/compile' 'build/embed_shaders . --check' \
 	    'tests/compile/quick_starts build/quick_starts' 'tests/compile/minimal_examples build/minimal' \
-	    'tests/compile/exports build/exports' 'sh tests/test_illustrate.sh'
+	    'tests/compile/exports build/exports' 'sh tests/test_illustrate.sh' 'sh tests/test_host.sh'
 
 # What a GL driver leaks is not ours to mend.
 run-sanitized: $(unit_tests) $(mock_tests) $(gl_tests) $(out)/illustrate

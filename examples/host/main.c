@@ -4,7 +4,7 @@
  *
  * --frames N    N frames, a thirtieth of a second apart; the picture is the last one
  * --quiet-place the scene without machines and soldiers
- * --dump        PREFIX.normal, PREFIX.id, PREFIX.depth: the last frame's targets, as their bytes are
+ * --dump        PREFIX.normal, .id, .depth, .picture: the last frame's targets, as their bytes are
  * --check       asks GL after every frame for what the state cache believes; differences end in exit status 2
  * --bench N     N more frames; prints the median of their milliseconds
  *
@@ -106,7 +106,9 @@ static bool dump_targets(const renderer *r, const char *prefix) {
     size_t pixels = (size_t)t->width * (size_t)t->height;
     return dump_texture(prefix, "normal", t->colours[1], GL_RG, GL_HALF_FLOAT, 4 * pixels) &&
            dump_texture(prefix, "id", t->colours[2], GL_RED_INTEGER, GL_UNSIGNED_SHORT, 2 * pixels) &&
-           dump_texture(prefix, "depth", t->depth, GL_DEPTH_COMPONENT, GL_FLOAT, 4 * pixels);
+           dump_texture(prefix, "depth", t->depth, GL_DEPTH_COMPONENT, GL_FLOAT, 4 * pixels) &&
+           dump_texture(prefix, "picture", r->picture.colours[0], GL_RGBA, GL_UNSIGNED_BYTE,
+                        (size_t)r->picture.width * (size_t)r->picture.height * 4);
 }
 
 /* ---- frames -------------------------------------------------------------------------------------------------- */
