@@ -111,13 +111,16 @@ uninstall: ## remove what `make install` installed
 clean: ## remove build/
 	rm -rf build
 
+# A second implementation; and drivers that have no more, and take no newer shaders, than GL 3.3 and ES 3.0.
+softpipe := env GALLIUM_DRIVER=softpipe GLASSINE_MAX_GL=330
+oldest := env LIBGL_ALWAYS_SOFTWARE=1 MESA_GL_VERSION_OVERRIDE=3.3 MESA_GLSL_VERSION_OVERRIDE=330 \
+    MESA_GLES_VERSION_OVERRIDE=3.0 GLASSINE_MAX_GL=330 GLASSINE_MAX_ES=300
 run-tests: $(unit_tests) $(mock_tests) $(gl_tests) build/illustrate build/host build/embed_shaders $(glad)
 	@tools/run_suites $(unit_tests) $(mock_tests) $(gl_tests) \
-	    'env GALLIUM_DRIVER=softpipe GLASSINE_MAX_GL=330 build/tests/gl_hosts' \
-	    'env GALLIUM_DRIVER=softpipe GLASSINE_MAX_GL=330 build/tests/gl_transparency' \
+	    $(foreach test,hosts transparency integration,'$(softpipe) build/tests/gl_$(test)' '$(oldest) build/tests/gl_$(test)') \
 	    'tests/compile/headers_alone build/compile' 'build/embed_shaders . --check' \
 	    'tests/compile/quick_starts build/quick_starts' 'tests/compile/minimal_examples build/minimal' \
-	    'tests/compile/exports build/exports' 'sh tests/test_illustrate.sh' 'sh tests/test_host.sh'
+	    'tests/compile/exports build/exports' 'tests/compile/loaders build/loaders' 'sh tests/test_illustrate.sh' 'sh tests/test_host.sh'
 
 # What a GL driver leaks is not ours to mend.
 run-sanitized: $(unit_tests) $(mock_tests) $(gl_tests) $(out)/illustrate
