@@ -39,7 +39,7 @@ mock_tests := $(patsubst tests/%.c,$(out)/tests/%,$(sort $(wildcard tests/mock_*
 gl_tests := $(patsubst tests/%.c,$(out)/tests/%,$(sort $(wildcard tests/gl_*.c)))
 fuzzers := $(patsubst tests/%.c,build/fuzz/%,$(sort $(wildcard tests/fuzz_*.c)))
 benchmarks := $(patsubst bench/%.c,build/bench/%,$(sort $(wildcard bench/*.c)))
-formatted := $(wildcard *.h examples/*.[ch] tests/*.[ch] tests/compile/*.[ch] tools/*.[ch] bench/*.[ch])
+formatted := $(wildcard *.h examples/*.[ch] examples/*/*.[ch] tests/*.[ch] tests/compile/*.[ch] tools/*.[ch] bench/*.[ch])
 glad := build/glad/include/glad/gl.h
 clang_format := $(firstword $(shell command -v clang-format-14 clang-format) clang-format-14)
 # A fresh make, so that packages are there before anything is built; parallel unless the caller chose a number of jobs.
@@ -111,13 +111,16 @@ uninstall: ## remove what `make install` installed
 clean: ## remove build/
 	rm -rf build
 
-run-tests: $(unit_tests) $(mock_tests) $(gl_tests) build/illustrate build/embed_shaders $(glad)
+# A second implementation; and drivers that have no more, and take no newer shaders, than GL 3.3 and ES 3.0.
+softpipe := env GALLIUM_DRIVER=softpipe GLASSINE_MAX_GL=330
+oldest := env LIBGL_ALWAYS_SOFTWARE=1 MESA_GL_VERSION_OVERRIDE=3.3 MESA_GLSL_VERSION_OVERRIDE=330 \
+    MESA_GLES_VERSION_OVERRIDE=3.0 GLASSINE_MAX_GL=330 GLASSINE_MAX_ES=300
+run-tests: $(unit_tests) $(mock_tests) $(gl_tests) build/illustrate build/host build/embed_shaders $(glad)
 	@tools/run_suites $(unit_tests) $(mock_tests) $(gl_tests) \
-	    'env GALLIUM_DRIVER=softpipe GLASSINE_MAX_GL=330 build/tests/gl_hosts' \
-	    'env GALLIUM_DRIVER=softpipe GLASSINE_MAX_GL=330 build/tests/gl_transparency' \
+	    $(foreach test,hosts transparency integration,'$(softpipe) build/tests/gl_$(test)' '$(oldest) build/tests/gl_$(test)') \
 	    'tests/compile/headers_alone build/compile' 'build/embed_shaders . --check' \
 	    'tests/compile/quick_starts build/quick_starts' 'tests/compile/minimal_examples build/minimal' \
-	    'tests/compile/exports build/exports' 'sh tests/test_illustrate.sh'
+	    'tests/compile/exports build/exports' 'tests/compile/loaders build/loaders' 'sh tests/test_illustrate.sh' 'sh tests/test_host.sh'
 
 # What a GL driver leaks is not ours to mend.
 run-sanitized: $(unit_tests) $(mock_tests) $(gl_tests) $(out)/illustrate
@@ -142,6 +145,10 @@ $(out)/libexamples.a: $(example_modules:%=$(out)/examples/%.o)
 $(out)/illustrate: $(out)/examples/illustrate.o $(out)/libexamples.a
 	$(call say,LINK    $@)$(CC) $(flags) $^ $(program_libraries) -o $@
 
+# The engine that transparency.h is put into; docs/integration.md tells how.
+$(out)/host: $(patsubst %.c,$(out)/%.o,$(sort $(wildcard examples/host/*.c))) $(out)/libexamples.a
+	$(call say,LINK    $@)$(CC) $(flags) $^ $(program_libraries) -o $@
+
 $(out)/tests/%: tests/%.c $(out)/libexamples.a | $(glad)
 	@mkdir -p $(@D)
 	$(call say,CC      $@)$(CC) $(flags) $(includes) $(depends) $< $(out)/libexamples.a $(libraries) -o $@
@@ -158,4 +165,4 @@ build/%: tools/%.c
 	@mkdir -p $(@D)
 	$(call say,CC      $@)$(CC) $(flags) $(includes) $(depends) $< -lm -o $@
 
--include $(wildcard $(out)/*.d $(out)/*/*.d build/bench/*.d build/fuzz/*.d build/*.d)
+-include $(wildcard $(out)/*.d $(out)/*/*.d $(out)/*/*/*.d build/bench/*.d build/fuzz/*.d build/*.d)

@@ -22,6 +22,7 @@ static struct {
     const char *version;
     const char *missing;  /* function that get_proc does not know */
     int fail_compile;     /* 1: shaders do not compile; 2: programs do not link */
+    int lost_at;          /* this call and all after it do nothing, as when the context is lost; 0: none */
     int fail_framebuffer; /* the n-th check of completeness fails; 0: none */
     uint32_t refused_framebuffer;
     int framebuffer_checks, samples, max_texture_size;
@@ -48,6 +49,11 @@ static void reset_driver(void) {
 static void note(const char *name) {
     assert_true(driver.call_count < MAX_CALLS);
     driver.calls[driver.call_count++] = name;
+}
+
+/* A lost context answers nothing: what is asked for stays as it was, values are 0. Asked after each note. */
+static bool lost(void) {
+    return driver.lost_at && driver.call_count >= driver.lost_at;
 }
 
 static int called_since(int first, const char *name) {
@@ -84,6 +90,8 @@ static void check_units(void) {
 #define FAKE(name, parameters, body)                                                                                   \
     static void fake_##name parameters {                                                                               \
         note(#name);                                                                                                   \
+        if (lost())                                                                                                    \
+            return;                                                                                                    \
         body                                                                                                           \
     }
 
@@ -168,6 +176,8 @@ FAKE(Viewport, (I a, I b, I c, I d), (void)a; (void)b; (void)c; (void)d;)
 
 static void fake_GetIntegerv(U what, I *out) {
     note("GetIntegerv");
+    if (lost())
+        return;
     *out = 0;
     switch (what) {
     case 0x0BA2u:
@@ -214,12 +224,16 @@ static void fake_GetIntegerv(U what, I *out) {
 static U fake_CheckFramebufferStatus(U a) {
     note("CheckFramebufferStatus");
     (void)a;
+    if (lost())
+        return 0;
     return ++driver.framebuffer_checks == driver.fail_framebuffer ? 0x8CD6u : 0x8CD5u;
 }
 
 static U fake_CreateProgram(void) {
     U name;
     note("CreateProgram");
+    if (lost())
+        return 0;
     generate(PROGRAMS, 1, &name);
     return name;
 }
@@ -228,6 +242,8 @@ static U fake_CreateShader(U a) {
     U name;
     note("CreateShader");
     (void)a;
+    if (lost())
+        return 0;
     generate(SHADERS, 1, &name);
     return name;
 }
@@ -235,19 +251,19 @@ static U fake_CreateShader(U a) {
 static const B *fake_GetString(U a) {
     note("GetString");
     (void)a;
-    return (const B *)driver.version;
+    return lost() ? NULL : (const B *)driver.version;
 }
 
 static U fake_GetUniformBlockIndex(U a, const char *b) {
     note("GetUniformBlockIndex");
     (void)a, (void)b;
-    return 0;
+    return lost() ? 0xFFFFFFFFu : 0;
 }
 
 static I fake_GetUniformLocation(U a, const char *b) {
     note("GetUniformLocation");
     (void)a, (void)b;
-    return 1;
+    return lost() ? -1 : 1;
 }
 
 static B fake_IsEnabled(U a) {
@@ -264,7 +280,7 @@ static B fake_IsEnabledi(U a, U b) {
 
 static B fake_IsProgram(U a) {
     note("IsProgram");
-    return a != 0;
+    return a != 0 && !lost();
 }
 
 static tr_proc get_proc(const char *name) {
@@ -696,6 +712,67 @@ static void test_resizing_leaks_nothing(void **state) {
     assert_nothing_left();
 }
 
+/* ---- lost contexts ---- */
+
+/* One frame, whatever becomes of it; the sequence ends. */
+static tr_result try_frame(tr_context *tr, const tr_frame *frame) {
+    tr_pass pass;
+    tr_material material = {0};
+    int passes = 0;
+    tr_result result = tr_begin(tr, frame);
+    while (tr_next_pass(tr, &pass)) {
+        assert_true(++passes <= TR_MAX_PASSES);
+        tr_set_material(tr, &pass, &material);
+    }
+    tr_result ended = tr_end(tr);
+    assert_int_equal(ended, result == TR_OK ? TR_OK : TR_WRONG_ORDER);
+    return result;
+}
+
+/* A program's life: two steady frames, another size, all given back, once more, the end. */
+static void live_with_losses(tr_state_policy policy) {
+    tr_desc desc = make_desc(policy);
+    tr_result result = TR_OK;
+    tr_frame frame = make_frame(1, 2);
+    tr_context *tr = tr_create(&desc, &result);
+    assert_true(tr ? result == TR_OK : result == TR_GL_TOO_OLD || result == TR_INVALID_ARGUMENT);
+    for (int i = 0; tr && i < 4; ++i) {
+        bool before = lost();
+        if (i == 2)
+            frame.width = 65;
+        if (i == 3)
+            tr_release(tr);
+        result = try_frame(tr, &frame);
+        assert_true(result == TR_OK || lost());
+        if (before && policy != TR_STATE_NONE) /* with that policy a steady frame asks GL for nothing */
+            assert_int_not_equal(result, TR_OK);
+    }
+    if (tr)
+        tr_prepare_program(tr, 1);
+    tr_destroy(tr);
+    assert_int_equal(blocks, 0);
+    if (!lost())
+        assert_nothing_left();
+}
+
+/* The context is lost at the first call, the second, and so on through a program's life: nothing hangs, crashes or reads
+ * what was never answered (valgrind and the sanitizers watch), frames fail and say so, and the heap block is given back. */
+static void test_contexts_are_lost_at_every_call(void **state) {
+    static const tr_state_policy policies[] = {TR_STATE_RESTORE, TR_STATE_LEAVE_DEFAULTS, TR_STATE_LEAVE_DIRTY,
+                                               TR_STATE_NONE};
+    (void)state;
+    for (int p = 0; p < 4; ++p) {
+        int losses = 0;
+        do {
+            reset_driver();
+            driver.lost_at = ++losses;
+            live_with_losses(policies[p]);
+        } while (lost());
+        printf("    policy %d: lost at each of %d calls\n", p, losses - 1);
+        assert_true(losses > 500);
+    }
+}
+
 /* ---- plans ---- */
 
 static int count_kind(const tr_plan *plan, tr_pass_kind kind) {
@@ -1062,6 +1139,7 @@ int main(void) {
         cmocka_unit_test(test_passes_switch_off),
         cmocka_unit_test(test_no_pass_reads_what_it_draws),
         cmocka_unit_test(test_resizing_leaks_nothing),
+        cmocka_unit_test(test_contexts_are_lost_at_every_call),
         cmocka_unit_test(test_plans_hold_only_what_is_needed),
         cmocka_unit_test(test_largest_plan_fits),
         cmocka_unit_test(test_modes),
