@@ -60,11 +60,13 @@ static double take_double(source *s) {
     return value;
 }
 
-enum { MOST_VERTICES = 24, MOST_FACES = 40, MOST_EDGES = 3 * MOST_FACES, MOST_OUT = 4000 };
+/* A side may be cut at every vertex but its own. */
+enum { MOST_VERTICES = 24, MOST_FACES = 40, MOST_EDGES = 3 * (MOST_FACES + 3 * MOST_FACES * (MOST_VERTICES - 2)) };
+enum { MOST_OUT = 4000, ALL_KINDS = 79 };
 
 typedef struct scene {
     float positions[4 * MOST_VERTICES];
-    uint32_t indices[3 * MOST_FACES];
+    uint32_t indices[3 * MOST_FACES], parts[3 * MOST_FACES];
     sil_mesh_desc desc;
 } scene;
 
@@ -90,6 +92,11 @@ static void take_scene(source *s, scene *out) {
     out->desc.weld_distance = take(s) % 4 ? 0 : take_float(s);
     out->desc.crease_degrees = take(s) % 4 ? 0 : take_float(s);
     out->desc.flags = take(s) % 4 ? SIL_MESH_HIERARCHY : SIL_MESH_NO_HIERARCHY;
+    out->desc.flags |= take(s) % 4 ? 0 : SIL_MESH_ORIENT;
+    out->desc.t_junction_distance = take(s) % 4 ? 0 : take_float(s);
+    for (i = 0; i < 3 * MOST_FACES; ++i)
+        out->parts[i] = (uint32_t)(i * i % 7 % 3);
+    out->desc.face_parts = take(s) % 4 ? NULL : out->parts;
 }
 
 static sil_view take_view(source *s) {
@@ -120,21 +127,22 @@ static size_t check_extract(const sil_mesh *mesh, sil_pose *pose, const sil_view
     const sil_mesh_info info = sil_mesh_get_info(mesh);
     unsigned char odd[MOST_VERTICES];
     const size_t count = sil_extract(mesh, pose, view, kinds, edges, MOST_EDGES);
+    const int zone = pose && pose->zone_sine > 0;
     size_t i;
     memset(odd, 0, sizeof odd);
     require(count <= info.edge_count && info.edge_count <= MOST_EDGES, "more edges than there are");
     for (i = 0; i < count; ++i) {
         require(edges[i].a < info.vertex_count && edges[i].b < info.vertex_count, "an edge's vertex is out of range");
         require(edges[i].edge < info.edge_count && (i == 0 || edges[i].edge > edges[i - 1].edge), "edges out of order");
-        require((edges[i].kinds & kinds & 15) != 0 && edges[i].kinds < 48, "a kind that was not asked for");
+        require((edges[i].kinds & kinds & ALL_KINDS) != 0 && edges[i].kinds < 128, "a kind that was not asked for");
         odd[edges[i].a] ^= 1;
         odd[edges[i].b] ^= 1;
     }
     for (i = 0; i < MOST_VERTICES && kinds == SIL_SILHOUETTE && info.closed && !info.nonmanifold_edge_count &&
-                !info.degenerate_face_count && !pose;
+                !info.degenerate_face_count && (!pose || (zone && !pose->is_set));
          ++i)
         require(!odd[i], "a silhouette that is not closed");
-    if (pose && sil_pose_set(pose, NULL, 0) == SIL_OK) {
+    if (pose && !zone && sil_pose_set(pose, NULL, 0) == SIL_OK) {
         const size_t with = sil_extract(mesh, pose, view, kinds, edges, MOST_EDGES);
         require(with == sil_extract(mesh, NULL, view, kinds, other, MOST_EDGES), "a pose finds other edges");
         require(memcmp(edges, other, with * sizeof *edges) == 0, "a pose finds edges that differ");
@@ -143,10 +151,67 @@ static size_t check_extract(const sil_mesh *mesh, sil_pose *pose, const sil_view
     return count;
 }
 
+/* Vector code and plain code find the same. */
+static void check_plain(sil_mesh *mesh, const sil_view *view, unsigned kinds) {
+    static sil_edge wide[MOST_EDGES], plain[MOST_EDGES];
+    const int is_wide = mesh->wide;
+    size_t count = sil_extract(mesh, NULL, view, kinds, wide, MOST_EDGES);
+    mesh->wide = 0;
+    require(count == sil_extract(mesh, NULL, view, kinds, plain, MOST_EDGES), "vector code finds other edges");
+    require(memcmp(wide, plain, count * sizeof *wide) == 0, "vector code finds edges that differ");
+    mesh->wide = is_wide;
+}
+
+static void check_components(const sil_mesh *mesh, size_t triangles, source *s) {
+    uint32_t components[3 * MOST_FACES], parents[3], facts[3];
+    const sil_mesh_info info = sil_mesh_get_info(mesh);
+    sil_part parts[3];
+    sil_result result;
+    size_t i, steps, count = take(s) % 4;
+    require(sil_mesh_components(mesh, components, triangles) == SIL_OK, "no components");
+    for (i = 0; i < triangles; ++i)
+        require(components[i] < info.component_count || components[i] == SIL_NONE, "a component is out of range");
+    memset(parts, 0, sizeof parts);
+    for (i = 0; i < count; ++i) {
+        parts[i].mesh = mesh;
+        take_matrix(s, parts[i].transform, 16, 4);
+        parts[i].component = take(s) % 4 ? 0 : take(s);
+    }
+    result = sil_containment(parts, count, take(s) % 32, parents, facts);
+    require(result == SIL_OK || result == SIL_INVALID_ARGUMENT, "containment: a strange result");
+    for (i = 0; result == SIL_OK && i < count; ++i) {
+        uint32_t at = (uint32_t)i;
+        for (steps = 0; steps < 3 && at != SIL_NONE; ++steps) {
+            require(at < count, "a parent is out of range");
+            at = parents[at];
+        }
+        require(at == SIL_NONE, "parents in a circle");
+        require(facts[i] < 8, "facts that are none");
+    }
+}
+
+static void check_smooth(const sil_mesh *mesh, sil_pose *pose, const sil_view *view, const float *normals, source *s) {
+    static sil_smooth_point points[2 * MOST_EDGES];
+    static sil_strip strips[MOST_EDGES];
+    size_t needed, i, count;
+    const unsigned flags = take(s) % 2;
+    count = sil_smooth(mesh, pose, view, take(s) % 2 ? normals : NULL, 0, flags, points, 2 * MOST_EDGES, strips,
+                       MOST_EDGES, &needed);
+    require(count <= MOST_EDGES && needed <= 2 * MOST_EDGES, "more smooth silhouettes than edges");
+    for (i = 0; i < needed; ++i)
+        require(points[i].t >= 0 && points[i].t <= 1 && points[i].edge < sil_mesh_get_info(mesh).edge_count,
+                "a smooth silhouette is beside its edge");
+}
+
 static void check_chain(const sil_mesh *mesh, sil_pose *pose, sil_edge *edges, size_t count, source *s) {
     static sil_strip strips[MOST_EDGES];
     static uint32_t vertices[2 * MOST_EDGES];
     static sil_ribbon_vertex out[MOST_OUT];
+    static float widths[2 * MOST_EDGES], along[2 * MOST_EDGES];
+    const float dashes[4] = {3, take_float(s), 1, 2};
+    const uint32_t ids[4] = {0, 1, 1, 0};
+    sil_image image;
+    sil_chain_desc corners;
     sil_ribbon_desc desc;
     size_t i, strip_count, needed, total = 0, made;
     for (i = 0; i < count && take(s) > 200; ++i) { /* hostile edges */
@@ -155,7 +220,13 @@ static void check_chain(const sil_mesh *mesh, sil_pose *pose, sil_edge *edges, s
         edges[i].face[0] = take(s);
         edges[i].a = take(s);
     }
-    strip_count = sil_chain(mesh, pose, edges, count, strips, MOST_EDGES, vertices, 2 * MOST_EDGES, &needed);
+    memset(&corners, 0, sizeof corners);
+    corners.corner_degrees = take(s) % 2 ? 0 : take_float(s) * 20;
+    take_matrix(s, corners.matrix, take(s) % 2 ? 16 : 0, 4);
+    corners.viewport_width = corners.viewport_height = take(s) % 2 ? 0 : take_float(s) * 100;
+    corners.flags = take(s) % 2;
+    strip_count = sil_chain_corners(mesh, pose, take(s) % 2 ? &corners : NULL, edges, count, strips, MOST_EDGES,
+                                    vertices, 2 * MOST_EDGES, &needed);
     require(strip_count <= count && needed <= 2 * count, "more strips than edges");
     for (i = 0; i < strip_count; ++i) {
         require(strips[i].first == total && strips[i].count >= 2, "strips do not follow each other");
@@ -168,11 +239,40 @@ static void check_chain(const sil_mesh *mesh, sil_pose *pose, sil_edge *edges, s
     desc.viewport_width = take(s) % 4 ? 640 : take_float(s);
     desc.viewport_height = take(s) % 4 ? 480 : take_float(s);
     desc.width = take(s) % 2 ? 0 : take_float(s);
-    desc.width_scale[take(s) % 4] = take_float(s);
+    desc.width_scale[take(s) % 5] = take_float(s);
     desc.tolerance = take(s) % 4 ? 0 : take_float(s);
     desc.cap = (sil_cap)(take(s) % 3);
     desc.join = (sil_join)(take(s) % 3);
     desc.flags = take(s) % 2;
+    desc.weight = (sil_weight)(take(s) % 5);
+    desc.heavy = take(s) % 2 ? 0 : take_float(s);
+    desc.thin = take(s) % 2 ? 0 : take_float(s);
+    desc.light[0] = take(s) % 2 ? 0 : take_float(s);
+    desc.reach[1] = take(s) % 2 ? 0 : take_float(s);
+    memset(&image, 0, sizeof image);
+    image.ids = ids;
+    image.width = image.height = 2;
+    desc.image = take(s) % 2 ? &image : NULL;
+    for (i = 0; i < needed && i < 2 * MOST_EDGES; ++i)
+        widths[i] = i < 8 ? take_float(s) : widths[i % 8];
+    desc.widths = take(s) % 4 ? NULL : widths;
+    desc.taper = take(s) % 2 ? 0 : take_float(s);
+    if (take(s) % 2) {
+        desc.dashes = dashes;
+        desc.dash_count = take(s) % 2 ? 4 : 2;
+        if (take(s) % 2) {
+            sil_dashes *memory = sil_dashes_create(NULL, NULL);
+            require(memory != NULL, "no dashes");
+            for (i = 0; i < 2; ++i) {
+                const sil_result followed =
+                    sil_dashes_follow(memory, mesh, pose, strips, strip_count, vertices, &desc, along);
+                require(followed == SIL_OK || followed == SIL_INVALID_ARGUMENT, "dashes: a strange result");
+                desc.along = followed == SIL_OK ? along : NULL;
+                desc.model_view[12] += 0.1f;
+            }
+            sil_dashes_destroy(memory);
+        }
+    }
     made = sil_ribbons(mesh, pose, strips, strip_count, vertices, &desc, out, MOST_OUT);
     require(made % 3 == 0, "not whole triangles");
     for (i = 0; i < made && i < MOST_OUT / 3 * 3; ++i) {
@@ -237,6 +337,7 @@ static void run_one(const unsigned char *data, size_t size) {
         return;
     pose = sil_pose_create(mesh, &result);
     require(pose != NULL, "no pose");
+    check_components(mesh, input.desc.indices ? input.desc.index_count / 3 : input.desc.vertex_count / 3, &s);
     for (round = 0; round < 4; ++round) {
         sil_view view = take_view(&s);
         const unsigned kinds = take(&s) % 3 ? SIL_SILHOUETTE : take(&s);
@@ -253,6 +354,12 @@ static void run_one(const unsigned char *data, size_t size) {
                 posed[i] = take_float(&s);
         if (round % 2)
             require(sil_pose_set(pose, posed, 16) == SIL_OK, "the pose was not set");
+        result = sil_pose_set_dead_zone(pose, take(&s) % 4 ? 0 : take_double(&s), take(&s) % 2);
+        require(result == SIL_OK || result == SIL_INVALID_ARGUMENT, "the dead zone: a strange result");
+        if (take(&s) % 4 == 0) /* what is remembered matters the second time */
+            (void)sil_extract(mesh, pose, &view, kinds, NULL, 0);
+        check_plain(mesh, &view, kinds);
+        check_smooth(mesh, round ? pose : NULL, &view, input.positions, &s);
         count = check_extract(mesh, round ? pose : NULL, take(&s) % 8 ? &view : NULL, kinds, edges);
         check_distances(mesh, round ? pose : NULL, edges, count, &s);
         check_chain(mesh, round % 2 ? pose : NULL, edges, count, &s);
