@@ -1082,21 +1082,6 @@ static void put(text *t, const char *format, ...) {
     va_end(again);
 }
 
-/* The bytes of the character at `at` if it is whole UTF-8, else 0. */
-static int utf8_length(const char *at) {
-    unsigned char first = (unsigned char)*at;
-    int length = first < 0x80 ? 1 : first < 0xC2 ? 0 : first < 0xE0 ? 2 : first < 0xF0 ? 3 : first < 0xF5 ? 4 : 0;
-    for (int i = 1; i < length; ++i)
-        if (((unsigned char)at[i] & 0xC0) != 0x80)
-            return 0;
-    /* Overlong forms, surrogates, and what is beyond the last character. */
-    unsigned char second = length > 2 ? (unsigned char)at[1] : 0;
-    if ((first == 0xE0 && second < 0xA0) || (first == 0xED && second > 0x9F) || (first == 0xF0 && second < 0x90) ||
-        (first == 0xF4 && second > 0x8F))
-        return 0;
-    return length;
-}
-
 /* As JSON has it; bytes that are no UTF-8 are taken for Latin-1. */
 static void put_string(text *t, const char *string) {
     put(t, "\"");

@@ -36,13 +36,35 @@ PRINTF_LIKE static void add(svg *s, const char *format, ...) {
     s->length += (size_t)length;
 }
 
-/* XML has no control characters and five with a meaning of their own. */
+int utf8_length(const char *at) {
+    unsigned char first = (unsigned char)*at;
+    int length = first < 0x80 ? 1 : first < 0xC2 ? 0 : first < 0xE0 ? 2 : first < 0xF0 ? 3 : first < 0xF5 ? 4 : 0;
+    for (int i = 1; i < length; ++i)
+        if (((unsigned char)at[i] & 0xC0) != 0x80)
+            return 0;
+    /* Overlong forms, surrogates, and what is beyond the last character. */
+    unsigned char second = length > 2 ? (unsigned char)at[1] : 0;
+    if ((first == 0xE0 && second < 0xA0) || (first == 0xED && second > 0x9F) || (first == 0xF0 && second < 0x90) ||
+        (first == 0xF4 && second > 0x8F))
+        return 0;
+    return length;
+}
+
+/* XML has no control characters and three with a meaning of their own here; bytes that are no UTF-8 are taken for
+ * Latin-1, as in the JSON of --explain. */
 static void add_escaped(svg *s, const char *text) {
-    for (const char *c = text; *c; c++)
-        if (strchr("<>&\"'", *c))
-            add(s, "&#%d;", *c);
+    while (*text) {
+        int length = utf8_length(text);
+        if (length == 0 || strchr("<>&", *text))
+            add(s, "&#%d;", (unsigned char)*text);
+        else if (length == 1)
+            add(s, "%c", *text < ' ' || *text == 127 ? '?' : *text);
+        else if (length == 3 && memcmp(text, "\xEF\xBF", 2) == 0 && (unsigned char)text[2] > 0xBD)
+            add(s, "?"); /* U+FFFE and U+FFFF are no characters in XML */
         else
-            add(s, "%c", (unsigned char)*c < ' ' || *c == 127 ? '?' : *c);
+            add(s, "%.*s", length, text);
+        text += length ? length : 1;
+    }
 }
 
 void svg_begin(svg *s, const float background[4]) {

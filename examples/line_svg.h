@@ -25,6 +25,9 @@ void svg_kind(svg *s, const char *kind, double width);
 void svg_end_group(svg *s);
 void svg_end(svg *s);
 
+/* The bytes of the character at `at` if it is whole UTF-8, else 0. */
+int utf8_length(const char *at);
+
 /* One line over `count` places, three floats each, `stride` bytes apart. A closed one repeats its first place. */
 void svg_strip(svg *s, const float *places, size_t stride, size_t count, const double model_view[16],
                const double projection[16]);
