@@ -32,7 +32,8 @@ static const char HELP[] =
     "  model:dirty_open  model:dirty_doubled  model:dirty_degenerate  model:dirty_nonmanifold  model:dirty_flipped\n"
     "Several make one scene; the parts of each file then have its name in front of theirs.\n"
     "\n"
-    "  -o, --output OUT.png     where the picture goes; written whole or not at all\n"
+    "  -o, --output OUT.png     where the picture goes; written whole or not at all. OUT.svg: its lines alone, a group\n"
+    "                           for each part, without the need of OpenGL; hidden lines are left out\n"
     "  --style STYLE            auto (default): hodges where something is or can be transparent, else opaque;\n"
     "                           hodges: parts that enclose others, or are see-through in the file, are transparent by\n"
     "                           Hodges' rules; lines: ink on paper, hidden lines left out; opaque: nothing transparent\n"
@@ -49,7 +50,8 @@ static const char HELP[] =
     "                           1.5. How heavy: thick-thin, outlines and borders heavy; outer, where nothing is behind;\n"
     "                           perspective, the foreground heavy; light, thin toward the upper left. phantom: parts that\n"
     "                           would be transparent are drawn as dashed lines only; smooth: rounder silhouettes, on\n"
-    "                           meshes without creases\n"
+    "                           meshes without creases;\n"
+    "                           hidden, in SVG: hidden lines as short dashes\n"
     "  --shade SHADE            cool-to-warm (default) or flat\n"
     "  --background RRGGBB      or none for a see-through one; default ffffff\n"
     "  --k K                    how fast transparent surfaces clear away from their silhouettes (exponent)\n"
@@ -83,7 +85,7 @@ typedef struct options {
     size_t model_count, selector_count;
     const char *output;
     int up_axis; /* 0: as in the file */
-    bool list, gles;
+    bool list, gles, svg;
     illustrate_job job;
 } options;
 
@@ -329,13 +331,14 @@ static int set_weights(options *o, const char *value) {
 
 /* A word of --lines: the first five say which lines, the next four how heavy. */
 static int set_lines_word(options *o, const char *text, size_t length, bool kinds[5]) {
-    static const char *const words[] = {"silhouettes", "boundaries",  "creases", "all",     "none",   "thick-thin",
-                                        "outer",       "perspective", "light",   "phantom", "smooth", NULL};
+    static const char *const words[] = {"silhouettes", "boundaries", "creases",     "all",   "none",
+                                        "thick-thin",  "outer",      "perspective", "light", "phantom",
+                                        "smooth",      "hidden",     NULL};
     static const illustrate_weight weights[] = {WEIGHT_THICK_THIN, WEIGHT_OUTER, WEIGHT_PERSPECTIVE, WEIGHT_LIGHT};
     int word = read_word(text, length, words);
     if (word < 0)
         return misused("--lines %.*s: not known; there are silhouettes, boundaries, creases, all and none; thick-thin, "
-                       "outer, perspective and light; phantom and smooth",
+                       "outer, perspective and light; phantom, smooth and hidden",
                        (int)length, text);
     if (word < 5) {
         kinds[word] = true;
@@ -347,6 +350,7 @@ static int set_lines_word(options *o, const char *text, size_t length, bool kind
         o->job.weight = weights[word - 5];
     o->job.phantom = o->job.phantom || word == 9;
     o->job.smooth = o->job.smooth || word == 10;
+    o->job.hidden = o->job.hidden || word == 11;
     return DONE;
 }
 
@@ -445,8 +449,9 @@ static int set_output(options *o, const char *value) {
     struct stat there;
     size_t length = strlen(value);
     bool special = stat(value, &there) == 0 && !S_ISREG(there.st_mode) && !S_ISDIR(there.st_mode);
-    if (!special && (length < 5 || strcasecmp(value + length - 4, ".png") != 0))
-        return misused("-o %s: not a name that ends with .png, and PNG is what is written", value);
+    o->svg = length >= 5 && strcasecmp(value + length - 4, ".svg") == 0;
+    if (!special && !o->svg && (length < 5 || strcasecmp(value + length - 4, ".png") != 0))
+        return misused("-o %s: not a name that ends with .png or .svg, and these are what is written", value);
     o->output = value;
     return DONE;
 }
@@ -577,6 +582,14 @@ static int check_options(const options *o) {
         return misused("no model is given; see illustrate --help");
     if (!o->output && !o->list)
         return misused("no -o OUT.png is given");
+    bool varies = o->job.weight == WEIGHT_PERSPECTIVE || o->job.weight == WEIGHT_LIGHT;
+    if (o->svg && (varies || o->job.explain || o->job.style == STYLE_HODGES || o->job.style == STYLE_OPAQUE))
+        return misused(
+            "-o %s: an SVG has lines alone, each of one width: no --style but lines, no --lines perspective or "
+            "light, no --explain",
+            o->output);
+    if (!o->svg && o->output && o->job.hidden)
+        return misused("--lines hidden: only for SVG");
     return DONE;
 }
 
@@ -806,6 +819,21 @@ static int finish_picture(const options *o, const illustrate_result *drawn) {
     return finish_stdout();
 }
 
+static int draw_svg(const options *o, const scene *s, const unsigned char *transparent) {
+    illustrate_job job = o->job;
+    illustrate_result drawn = {0};
+    char message[256];
+    size_t length = 0;
+    job.scene = s;
+    job.transparent = transparent;
+    char *text = illustrate_svg(&job, &length, &drawn);
+    if (!text)
+        return failed("%s: %s", o->models[0], drawn.message);
+    bool ok = write_file(o->output, (const unsigned char *)text, length, message, sizeof message);
+    free(text);
+    return ok ? DONE : failed("%s: %s", o->output, message);
+}
+
 static int draw(const options *o, const scene *s, const unsigned char *transparent) {
     headless context;
     char message[512];
@@ -851,7 +879,7 @@ static int run(const options *o) {
     if (result == DONE && o->list)
         result = list_parts(s);
     if (result == DONE && o->output)
-        result = draw(o, s, transparent);
+        result = o->svg ? draw_svg(o, s, transparent) : draw(o, s, transparent);
     free(transparent);
     scene_destroy(s);
     return result;

@@ -5,6 +5,7 @@
  * driver, and no size is too large for a texture. */
 #include "illustrate_render.h"
 #include "depth_image.h"
+#include "line_svg.h"
 #include "refine.h"
 
 #include <math.h>
@@ -830,9 +831,9 @@ static bool upload_lines(renderer *r, figure *f, const double projection[16]) {
     return true;
 }
 
-/* What covers a tile, for outer lines. */
-static bool draw_depths(renderer *r, const double projection[16], depth_image *image) {
-    if (!depth_image_create(image, r->tile_width, r->tile_height))
+/* What hides lines, and where nothing is. */
+static bool draw_depths(renderer *r, const double projection[16], int width, int height, depth_image *image) {
+    if (!depth_image_create(image, width, height))
         return no_memory(r);
     for (size_t i = 0; i < r->figure_count; ++i) {
         const figure *f = &r->figures[i];
@@ -842,15 +843,15 @@ static bool draw_depths(renderer *r, const double projection[16], depth_image *i
         if (!f->phantom)
             depth_image_draw(image, s->positions, s->vertex_count, s->indices, s->index_count, to_clip);
     }
-    r->drawn.depth = image->depth;
-    r->drawn.width = (uint32_t)image->width;
-    r->drawn.height = (uint32_t)image->height;
     return true;
 }
 
 static bool upload_all_lines(renderer *r, const double projection[16]) {
     depth_image image = {NULL, 0, 0};
-    bool ok = r->job->weight != WEIGHT_OUTER || draw_depths(r, projection, &image);
+    bool ok = r->job->weight != WEIGHT_OUTER || draw_depths(r, projection, r->tile_width, r->tile_height, &image);
+    r->drawn.depth = image.depth;
+    r->drawn.width = (uint32_t)image.width;
+    r->drawn.height = (uint32_t)image.height;
     for (size_t i = 0; ok && i < r->figure_count; ++i)
         ok = upload_lines(r, &r->figures[i], projection);
     depth_image_destroy(&image);
@@ -1081,21 +1082,6 @@ static void put(text *t, const char *format, ...) {
     va_end(again);
 }
 
-/* The bytes of the character at `at` if it is whole UTF-8, else 0. */
-static int utf8_length(const char *at) {
-    unsigned char first = (unsigned char)*at;
-    int length = first < 0x80 ? 1 : first < 0xC2 ? 0 : first < 0xE0 ? 2 : first < 0xF0 ? 3 : first < 0xF5 ? 4 : 0;
-    for (int i = 1; i < length; ++i)
-        if (((unsigned char)at[i] & 0xC0) != 0x80)
-            return 0;
-    /* Overlong forms, surrogates, and what is beyond the last character. */
-    unsigned char second = length > 2 ? (unsigned char)at[1] : 0;
-    if ((first == 0xE0 && second < 0xA0) || (first == 0xED && second > 0x9F) || (first == 0xF0 && second < 0x90) ||
-        (first == 0xF4 && second > 0x8F))
-        return 0;
-    return length;
-}
-
 /* As JSON has it; bytes that are no UTF-8 are taken for Latin-1. */
 static void put_string(text *t, const char *string) {
     put(t, "\"");
@@ -1265,8 +1251,10 @@ static void finish(renderer *r) {
     for (size_t i = 0; i < r->figure_count; ++i) {
         figure *f = &r->figures[i];
         const GLuint arrays[2] = {f->array, f->line_array}, buffers[2] = {f->distance_buffer, f->line_buffer};
-        glDeleteVertexArrays(2, arrays);
-        glDeleteBuffers(2, buffers);
+        if (r->tr) {
+            glDeleteVertexArrays(2, arrays);
+            glDeleteBuffers(2, buffers);
+        }
         free(f->edges);
         free(f->strips);
         free(f->strip_vertices);
@@ -1318,4 +1306,88 @@ bool illustrate_render(const illustrate_job *job, void (*(*get_proc)(const char 
         explain(&r);
     finish(&r);
     return ok;
+}
+
+/* ---- lines as SVG ---------------------------------------------------------------------------------------------- */
+
+static void add_strips(svg *s, const renderer *r, const figure *f, const sil_strip *strips, size_t count,
+                       uint32_t kinds) {
+    const float *positions = r->surfaces[f->part->mesh].positions;
+    for (size_t i = 0; i < count; ++i) {
+        float *places = strips[i].kinds & kinds ? malloc((size_t)strips[i].count * 3 * sizeof *places) : NULL;
+        if (!places) {
+            s->out_of_memory = s->out_of_memory || strips[i].kinds & kinds;
+            continue;
+        }
+        for (size_t k = 0; k < strips[i].count; ++k)
+            memcpy(places + 3 * k, positions + 3 * (size_t)f->strip_vertices[strips[i].first + k], 3 * sizeof *places);
+        svg_strip(s, places, 3 * sizeof *places, strips[i].count, f->model_view, r->projection);
+        free(places);
+    }
+}
+
+static void add_figure(svg *s, const renderer *r, const figure *f) {
+    const illustrate_job *job = r->job;
+    const double heavy = (double)job->line_width * (job->weight == WEIGHT_THICK_THIN ? 2 : 1);
+    const sil_strip *outlines = f->strips + f->crease_strips;
+    const size_t count = f->strip_count - f->crease_strips;
+    svg_part(s, f->object.id, f->part->name, f->phantom);
+    svg_kind(s, "creases", 0.7 * (double)job->line_width);
+    add_strips(s, r, f, f->strips, f->crease_strips, SIL_CREASE);
+    svg_end_group(s);
+    svg_kind(s, "boundaries", heavy);
+    add_strips(s, r, f, outlines, count, SIL_BOUNDARY);
+    svg_end_group(s);
+    svg_kind(s, "silhouettes", heavy);
+    add_strips(s, r, f, outlines, count, SIL_SILHOUETTE);
+    for (size_t i = 0; i < f->smooth_strip_count; ++i)
+        svg_strip(s, f->smooth[f->smooth_strips[i].first].position, sizeof *f->smooth, f->smooth_strips[i].count,
+                  f->model_view, r->projection);
+    svg_end_group(s);
+    svg_end_group(s);
+}
+
+static char *write_svg(renderer *r, size_t *length) {
+    const illustrate_job *job = r->job;
+    const int fine = job->width <= 4096 && job->height <= 4096 ? 2 : 1;
+    depth_image image = {NULL, 0, 0};
+    svg s;
+    memset(&s, 0, sizeof s);
+    s.width = job->width;
+    s.height = job->height;
+    s.line_width = (double)job->line_width;
+    s.outer = job->weight == WEIGHT_OUTER;
+    s.hidden = job->hidden;
+    s.image = &image;
+    if (!draw_depths(r, r->projection, fine * job->width, fine * job->height, &image))
+        return NULL;
+    svg_begin(&s, job->background);
+    for (size_t i = 0; i < r->figure_count; ++i)
+        if (r->figures[i].strips) /* a flattened part has none */
+            add_figure(&s, r, &r->figures[i]);
+    svg_end(&s);
+    depth_image_destroy(&image);
+    *length = s.length;
+    if (!s.out_of_memory)
+        return s.text;
+    free(s.text);
+    no_memory(r);
+    return NULL;
+}
+
+char *illustrate_svg(const illustrate_job *job, size_t *length, illustrate_result *result) {
+    illustrate_job lines = *job;
+    renderer r;
+    lines.style = STYLE_LINES; /* nothing is transparent: parts are solid or phantoms */
+    memset(&r, 0, sizeof r);
+    memset(result, 0, sizeof *result);
+    r.job = &lines;
+    r.result = result;
+    r.style = STYLE_LINES;
+    bool ok = make_figures(&r) && make_camera(&r);
+    for (size_t i = 0; ok && i < r.figure_count; ++i)
+        ok = find_lines(&r, &r.figures[i]);
+    char *written = ok ? write_svg(&r, length) : NULL;
+    finish(&r);
+    return written;
 }

@@ -39,6 +39,7 @@ typedef struct illustrate_job {
     float line_width; /* pixels of the result */
     illustrate_weight weight;
     bool phantom; /* transparent parts are drawn by their lines alone, dashed */
+    bool hidden;  /* hidden lines are there, in SVG */
     bool smooth;  /* silhouettes of meshes without creases are smooth ones */
     illustrate_shade shade;
     float background[4]; /* colour and alpha, 0 to 1; alpha 0: the result is see-through where nothing was drawn */
@@ -57,6 +58,10 @@ typedef struct illustrate_result {
     char *explain_json;  /* malloc'd or NULL */
     char message[256];   /* what was wrong, without a line end, after a failure */
 } illustrate_result;
+
+/* The lines alone, as SVG: text of `length` bytes, malloc'd. Needs no GL. Parts are groups; widths go by kind, so weights
+ * by perspective and light are none here. NULL: result->message says why. */
+char *illustrate_svg(const illustrate_job *job, size_t *length, illustrate_result *result);
 
 /* Needs a current GL context (desktop 3.3 core or later, or GLES 3.0 or later). False: nothing allocated is left in
  * the result, message says why. */

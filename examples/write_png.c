@@ -119,7 +119,7 @@ static bool write_beside(const char *target, const unsigned char *bytes, size_t 
     return ok;
 }
 
-static bool write_file(const char *path, const unsigned char *bytes, size_t count, char *message, size_t size) {
+bool write_file(const char *path, const unsigned char *bytes, size_t count, char *message, size_t size) {
     struct stat there;
     if (stat(path, &there) == 0 && !S_ISREG(there.st_mode)) {
         FILE *file = fopen(path, "wb");

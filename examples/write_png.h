@@ -9,8 +9,11 @@
  * missing or closed, or the path is a folder. */
 bool write_png_possible(const char *path, char *message, size_t message_size);
 
-/* rgba: width*height*4 bytes, top row first, not premultiplied. Where no pixel is see-through the file has no alpha.
- * Goes to a file of its own beside the target first, which then takes the target's name. */
+/* Any bytes. They go to a file of its own beside the target first, which then takes the target's name. */
+bool write_file(const char *path, const unsigned char *bytes, size_t count, char *message, size_t message_size);
+
+/* The same for rgba: width*height*4 bytes, top row first, not premultiplied. Where no pixel is see-through the file has
+ * no alpha. */
 bool write_png(const char *path, const unsigned char *rgba, int width, int height, char *message, size_t message_size);
 
 #endif

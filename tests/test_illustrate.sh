@@ -340,6 +340,12 @@ wrong 'not known' model:mug -o out/picture.png --lines wrinkles
 wrong 'not known' model:mug -o out/picture.png --lines ''
 wrong 'not known' model:mug -o out/picture.png --lines silhouettes,
 wrong 'another kind' model:mug -o out/picture.png --lines none,creases
+wrong 'another way to weigh' model:mug -o out/picture.png --lines outer,light
+wrong 'only for SVG' model:mug -o out/picture.png --lines hidden
+wrong 'an SVG has lines alone' model:mug -o out/picture.svg --lines light
+wrong 'an SVG has lines alone' model:mug -o out/picture.svg --lines perspective
+wrong 'an SVG has lines alone' model:mug -o out/picture.svg --style hodges
+wrong 'an SVG has lines alone' model:mug -o out/picture.svg --explain
 wrong 'number of pixels' model:mug -o out/picture.png --lines silhouettes:
 wrong 'number of pixels' model:mug -o out/picture.png --lines silhouettes:0
 wrong 'number of pixels' model:mug -o out/picture.png --lines silhouettes:2px
@@ -441,6 +447,11 @@ differs --interior explicit
 differs --shade flat
 differs --lines none
 differs --lines silhouettes:3
+differs --lines thick-thin
+differs --lines outer
+differs --lines perspective
+differs --lines light
+differs --lines phantom
 differs --ortho
 differs --view 80,5
 differs --quality 1
@@ -450,6 +461,38 @@ differs --background 808080
 differs --opaque cylinder
 differs --hide shaft
 differs --transparent shaft
+
+run model:torus_knot --size 96x72 -o plain.png
+run model:torus_knot --size 96x72 --lines smooth -o other.png
+check 'another picture by --lines smooth' sh -c '! cmp -s plain.png other.png'
+
+# ---- SVG -------------------------------------------------------------------------------------------------------
+
+# svg_has COUNT PATTERN: so many lines of out.svg, which has to be XML, match
+svg_has() {
+    check "out.svg is XML ($2)" python3 -c 'import xml.dom.minidom; xml.dom.minidom.parse("out.svg")'
+    check "out.svg has $1 of $2" [ "$(grep -c "$2" out.svg)" -eq "$1" ]
+}
+run model:crank -o out.svg
+check 'SVG' [ "$status" -eq 0 ]
+svg_has "$(run model:crank --list && grep -c / stdout)" 'class="part"'
+svg_has 0 'dasharray'
+check 'SVG has lines' [ "$(grep -c '<path' out.svg)" -gt 5 ]
+paths=$(grep -c '<path' out.svg)
+run model:crank --lines hidden -o out.svg
+check 'hidden lines are more' [ "$(grep -c '<path' out.svg)" -gt "$paths" ]
+check 'and dashed' [ "$(grep -c 'class="hidden".*dasharray' out.svg)" -gt 10 ]
+run model:crank --lines phantom -o out.svg
+svg_has 1 'class="part".*dasharray'
+check 'what is in a phantom is seen' [ "$(grep -c '<path' out.svg)" -gt "$paths" ]
+run model:crank --lines none --background none -o out.svg
+svg_has 0 '<path'
+svg_has 0 '<rect'
+run model:crank --lines outer:2 -o out.svg
+check 'outer lines are twice as wide' grep -q '<path.*stroke-width="4"' out.svg
+run in/latin1.obj -o out.svg
+svg_has 1 '<title>caf&#233;</title>'
+rm -f out.svg
 
 # A box around a pyramid, all coordinates small whole numbers plus the offset: exact in floats.
 box_at() {
