@@ -822,14 +822,14 @@ static const char *const tr_i_shader_line_frag[] = {
     "#if TR_HAS_SCENE\n"
     "uniform highp sampler2D tr_scene_depth;\n"
     "#endif\n"
-    "#if TR_HAS_FRONT\n"
+    "#if TR_HAS_FRONT // 2: seen through by this line, which is an opaque object's\n"
     "uniform highp sampler2DArray tr_front_depth;\n"
     "#endif\n"
     "in highp vec4 tr_v_line;\n"
     "layout(location = 0) out highp vec4 tr_color;\n"
     "\n"
-    "// The nearest of what is seen at a texel.\n"
-    "highp float tr_depth_at(ivec2 texel)\n"
+    "// The nearest of what is seen at a texel, with transparent surfaces or without.\n"
+    "highp float tr_depth_at(ivec2 texel, bool transparent)\n"
     "{\n"
     "    highp float depth = TR_CLEAR_DEPTH;\n"
     "#if TR_HAS_SCENE\n"
@@ -839,7 +839,7 @@ static const char *const tr_i_shader_line_frag[] = {
     "#if TR_HAS_FRONT\n"
     "    texel = clamp(texel, ivec2(0), textureSize(tr_front_depth, 0).xy - 1);\n"
     "    highp float front = texelFetch(tr_front_depth, ivec3(texel, 0), 0).r;\n"
-    "    depth = TR_BEHIND(depth, front) ? front : depth;\n"
+    "    depth = transparent && TR_BEHIND(depth, front) ? front : depth;\n"
     "#endif\n"
     "    return depth;\n"
     "}\n"
@@ -866,7 +866,7 @@ static const char *const tr_i_shader_line_frag[] = {
     "#endif\n"
     "    for (int y = -1; y <= 1; ++y) {\n"
     "        for (int x = -1; x <= 1; ++x) {\n"
-    "            highp float depth = tr_depth_at(center + ivec2(x, y) * TR_SUPERSAMPLE);\n"
+    "            highp float depth = tr_depth_at(center + ivec2(x, y) * TR_SUPERSAMPLE, TR_HAS_FRONT == 1);\n"
     "            farthest = TR_BEHIND(depth, farthest) ? depth : farthest;\n"
     "        }\n"
     "    }\n"
@@ -881,7 +881,7 @@ static const char *const tr_i_shader_line_frag[] = {
     "    ivec2 pixel = (ivec2(gl_FragCoord.xy) - TR_ORIGIN) * TR_TEXELS;\n"
     "    highp float surface = TR_CLEAR_DEPTH;\n"
     "    for (int i = 0; i < TR_TEXELS * TR_TEXELS; ++i) {\n"
-    "        highp float depth = tr_depth_at(pixel + ivec2(i % TR_TEXELS, i / TR_TEXELS));\n"
+    "        highp float depth = tr_depth_at(pixel + ivec2(i % TR_TEXELS, i / TR_TEXELS), true);\n"
     "        surface = TR_BEHIND(surface, depth) ? depth : surface;\n"
     "    }\n"
     "#if TR_LINE == TR_LINE_OUTER\n"
@@ -2394,7 +2394,7 @@ static tr_i_variant tr_i_variant_of(uint32_t key) {
     v.ink = key >> 17 & 1u;
     v.line = key >> 18 & 3u;
     v.on_target = key >> 20 & 1u;
-    v.has_front = key >> 21 & 1u;
+    v.has_front = key >> 21 & 3u;
     return v;
 }
 
@@ -3214,8 +3214,8 @@ static void tr_i_line_variant(const tr_context *tr, const tr_plan_pass *pass, tr
               : pass->lines == TR_LINES_OUTER ? (uint32_t)TR_I_LINE_OUTER
                                               : 0u;
     v->on_target = pass->kind != TR_PASS_OPAQUE_LINES;
-    v->has_front = (tr->plan.textures >> TR_I_FRONT_DEPTH & 1u) && v->on_target &&
-                   (pass->kind != TR_PASS_HIDDEN_LINES || !opaque_alone);
+    if (v->on_target && (tr->plan.textures >> TR_I_FRONT_DEPTH & 1u))
+        v->has_front = pass->kind == TR_PASS_HIDDEN_LINES && opaque_alone ? 2 : 1;
 }
 
 /* The key of a pass that is drawn by a variant; 0 where it is not. */
