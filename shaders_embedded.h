@@ -323,6 +323,49 @@ static const char *const shaders_i_shader_copy_depth_frag[] = {
     "    gl_FragDepth = texelFetch(tr_scene_depth, ivec2(gl_FragCoord.xy), 0).r;\n"
     "}\n",
     0};
+static const char *const shaders_i_shader_crossings_glsl[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// Fragment stage. Hodges' first rule (Diepstraten 2002, section 3): the shade of an opaque object is strengthened where\n"
+    "// it enters a transparent one, by distance from the curves where their surfaces cross.\n"
+    "#if TR_STRENGTHENS\n"
+    "uniform highp sampler2D tr_crossings; // two texels a segment, rows of 1024 texels: its ends\n"
+    "\n"
+    "highp vec3 tr_crossing_end(int index)\n"
+    "{\n"
+    "    return texelFetch(tr_crossings, ivec2(index & 1023, index >> 10), 0).xyz;\n"
+    "}\n"
+    "\n"
+    "// Of a point to the segments range.x up to range.x + range.y; the reach, tr_enter.y, where none is nearer.\n"
+    "highp float tr_crossing_distance(highp vec3 point, highp ivec2 range)\n"
+    "{\n"
+    "    highp float least = tr_enter.y * tr_enter.y;\n"
+    "    for (int i = 0; i < range.y; ++i) {\n"
+    "        highp vec3 a = tr_crossing_end(2 * (range.x + i));\n"
+    "        highp vec3 along = tr_crossing_end(2 * (range.x + i) + 1) - a, from = point - a;\n"
+    "        highp float square = dot(along, along);\n"
+    "        highp float t = square > 0.0 ? clamp(dot(from, along) / square, 0.0, 1.0) : 0.0;\n"
+    "        highp vec3 away = from - t * along;\n"
+    "        least = min(least, dot(away, away));\n"
+    "    }\n"
+    "    return sqrt(least);\n"
+    "}\n"
+    "#endif\n"
+    "\n"
+    "// position: of the fragment in the space of the segments. Returns color where there is nothing to strengthen.\n"
+    "highp vec4 tr_strengthen(highp vec4 color, highp vec3 position, highp ivec2 range)\n"
+    "{\n"
+    "#if TR_STRENGTHENS\n"
+    "    highp float reach = tr_enter.y, distance_to = tr_crossing_distance(position, range);\n"
+    "    highp float pixel = max(length(dFdx(position)), length(dFdy(position)));\n"
+    "    color.rgb *= 1.0 - tr_enter.x * (1.0 - distance_to / reach);\n"
+    "    // The curve itself, as a line: half of its width on either side.\n"
+    "    if (distance_to < 0.5 * tr_enter.z * pixel)\n"
+    "        color.rgb = tr_ink[1].rgb;\n"
+    "#endif\n"
+    "    return color;\n"
+    "}\n",
+    0};
 static const char *const shaders_i_shader_frame_block_glsl[] = {
     "#line 1\n"
     "// For: transparency.h\n"
@@ -385,14 +428,14 @@ static const char *const shaders_i_shader_line_frag[] = {
     "#if TR_HAS_SCENE\n"
     "uniform highp sampler2D tr_scene_depth;\n"
     "#endif\n"
-    "#if TR_HAS_FRONT\n"
+    "#if TR_HAS_FRONT // 2: seen through by this line, which is an opaque object's\n"
     "uniform highp sampler2DArray tr_front_depth;\n"
     "#endif\n"
     "in highp vec4 tr_v_line;\n"
     "layout(location = 0) out highp vec4 tr_color;\n"
     "\n"
-    "// The nearest of what is seen at a texel.\n"
-    "highp float tr_depth_at(ivec2 texel)\n"
+    "// The nearest of what is seen at a texel, with transparent surfaces or without.\n"
+    "highp float tr_depth_at(ivec2 texel, bool transparent)\n"
     "{\n"
     "    highp float depth = TR_CLEAR_DEPTH;\n"
     "#if TR_HAS_SCENE\n"
@@ -402,7 +445,7 @@ static const char *const shaders_i_shader_line_frag[] = {
     "#if TR_HAS_FRONT\n"
     "    texel = clamp(texel, ivec2(0), textureSize(tr_front_depth, 0).xy - 1);\n"
     "    highp float front = texelFetch(tr_front_depth, ivec3(texel, 0), 0).r;\n"
-    "    depth = TR_BEHIND(depth, front) ? front : depth;\n"
+    "    depth = transparent && TR_BEHIND(depth, front) ? front : depth;\n"
     "#endif\n"
     "    return depth;\n"
     "}\n"
@@ -429,7 +472,7 @@ static const char *const shaders_i_shader_line_frag[] = {
     "#endif\n"
     "    for (int y = -1; y <= 1; ++y) {\n"
     "        for (int x = -1; x <= 1; ++x) {\n"
-    "            highp float depth = tr_depth_at(center + ivec2(x, y) * TR_SUPERSAMPLE);\n"
+    "            highp float depth = tr_depth_at(center + ivec2(x, y) * TR_SUPERSAMPLE, TR_HAS_FRONT == 1);\n"
     "            farthest = TR_BEHIND(depth, farthest) ? depth : farthest;\n"
     "        }\n"
     "    }\n"
@@ -444,7 +487,7 @@ static const char *const shaders_i_shader_line_frag[] = {
     "    ivec2 pixel = (ivec2(gl_FragCoord.xy) - TR_ORIGIN) * TR_TEXELS;\n"
     "    highp float surface = TR_CLEAR_DEPTH;\n"
     "    for (int i = 0; i < TR_TEXELS * TR_TEXELS; ++i) {\n"
-    "        highp float depth = tr_depth_at(pixel + ivec2(i % TR_TEXELS, i / TR_TEXELS));\n"
+    "        highp float depth = tr_depth_at(pixel + ivec2(i % TR_TEXELS, i / TR_TEXELS), true);\n"
     "        surface = TR_BEHIND(surface, depth) ? depth : surface;\n"
     "    }\n"
     "#if TR_LINE == TR_LINE_OUTER\n"
@@ -1187,6 +1230,10 @@ static const char *const shaders_i_shader_surface_frag[] = {
     "// For: transparency.h\n"
     "// Built-in surface program for hosts without shaders of their own: fragment stage.\n"
     "uniform highp uint tr_object;\n"
+    "#if TR_STRENGTHENS\n"
+    "uniform highp ivec2 tr_crossing_range;\n"
+    "in highp vec3 tr_v_position;\n"
+    "#endif\n"
     "#if TR_WANTS_COLOR\n"
     "in highp vec3 tr_v_normal;\n"
     "in highp vec4 tr_v_color;\n"
@@ -1200,7 +1247,11 @@ static const char *const shaders_i_shader_surface_frag[] = {
     "    highp vec3 normal = length_squared > 0.0 ? tr_v_normal * inversesqrt(length_squared) : vec3(0.0);\n"
     "    if (!gl_FrontFacing)\n"
     "        normal = -normal;\n"
-    "    tr_surface(vec4(tr_cool_to_warm(tr_v_color.rgb, normal, tr_light.xyz, tr_cool, tr_warm), tr_v_color.a), tr_object);\n"
+    "    highp vec4 color = vec4(tr_cool_to_warm(tr_v_color.rgb, normal, tr_light.xyz, tr_cool, tr_warm), tr_v_color.a);\n"
+    "#if TR_STRENGTHENS\n"
+    "    color = tr_strengthen(color, tr_v_position, tr_crossing_range);\n"
+    "#endif\n"
+    "    tr_surface(color, tr_object);\n"
     "#else\n"
     "    tr_surface(vec4(0.0), tr_object);\n"
     "#endif\n"
@@ -1216,6 +1267,10 @@ static const char *const shaders_i_shader_surface_vert[] = {
     "layout(location = 3) in highp vec3 tr_tint;      // added to the object's colour; by default 0\n"
     "\n"
     "uniform highp mat4 tr_model_view_projection;\n"
+    "#if TR_STRENGTHENS\n"
+    "uniform highp mat4 tr_model;\n"
+    "out highp vec3 tr_v_position;\n"
+    "#endif\n"
     "#if TR_WANTS_COLOR\n"
     "uniform highp mat3 tr_normal_matrix;\n"
     "uniform highp vec4 tr_object_color; // a: alpha on the silhouette\n"
@@ -1230,6 +1285,9 @@ static const char *const shaders_i_shader_surface_vert[] = {
     "    tr_v_normal = tr_normal_matrix * tr_normal;\n"
     "    tr_v_color = vec4(tr_object_color.rgb + tr_tint,\n"
     "                      tr_object_color.a * tr_view_alpha(tr_distance, tr_falloff.x, tr_falloff.y));\n"
+    "#endif\n"
+    "#if TR_STRENGTHENS\n"
+    "    tr_v_position = (tr_model * vec4(tr_position, 1.0)).xyz;\n"
     "#endif\n"
     "    gl_Position = tr_model_view_projection * vec4(tr_position, 1.0);\n"
     "}\n",
@@ -1260,6 +1318,7 @@ static const char *const shaders_i_shader_surface_rules_glsl[] = {
     "#define TR_RULE_LIMIT_MARKED 11 // by the method of the front-most object, past its group\n"
     "#define TR_RULE_LIMIT_MARKED_SHEET 12\n"
     "#define TR_RULE_OPAQUE 13 // opaque colour\n"
+    "#define TR_RULE_OPAQUE_ENTERING 14 // the same; tr_strengthen, of crossings.glsl, does something\n"
     "\n"
     "#if TR_WANTS_COLOR // defined by the preamble; where it is 0 color is not read and a host may skip its shading\n"
     "layout(location = 0) out highp vec4 tr_color;\n"
@@ -1271,7 +1330,7 @@ static const char *const shaders_i_shader_surface_rules_glsl[] = {
     "#define TR_IS_LIMIT_MARKED (TR_RULE == TR_RULE_LIMIT_MARKED || TR_RULE == TR_RULE_LIMIT_MARKED_SHEET)\n"
     "#define TR_IS_FIRST (TR_RULE == TR_RULE_FRONT || TR_RULE == TR_RULE_FRONT_ALONE)\n"
     "\n"
-    "#if !TR_IS_FIRST && TR_RULE != TR_RULE_OPAQUE\n"
+    "#if !TR_IS_FIRST && TR_RULE < TR_RULE_OPAQUE\n"
     "uniform highp sampler2DArray tr_front_depth; // of layers 0, 2, 4, ...; where one alone is read, those of its parity\n"
     "#endif\n"
     "#if TR_RULE == TR_RULE_LAYER_GROUP || TR_IS_LIMIT_MARKED\n"
@@ -1319,9 +1378,9 @@ static const char *const shaders_i_shader_surface_rules_glsl[] = {
     "}\n"
     "#endif\n"
     "\n"
-    "#if TR_IS_LIMIT_MARKED\n"
-    "// Whether a fragment ends what is seen through the last shown layer, by the method of the front-most object. Explicit\n",
+    "#if TR_IS_LIMIT_MARKED\n",
     "#line 86\n"
+    "// Whether a fragment ends what is seen through the last shown layer, by the method of the front-most object. Explicit\n"
     "// interiors end at the next face; implicit ones at a back face, or the face of an object that is not shown.\n"
     "bool tr_limits(highp float depth, bool faces_eye, highp uint object, ivec2 pixel)\n"
     "{\n"
@@ -1367,7 +1426,7 @@ static const char *const shaders_i_shader_surface_rules_glsl[] = {
     "\n"
     "void tr_surface(highp vec4 color, highp uint object)\n"
     "{\n"
-    "#if TR_RULE == TR_RULE_OPAQUE\n"
+    "#if TR_RULE >= TR_RULE_OPAQUE\n"
     "    tr_color = vec4(color.rgb, 1.0); // alpha marks \"an opaque thing is here\"\n"
     "#else\n"
     "    highp float depth = gl_FragCoord.z;\n"
@@ -1413,7 +1472,8 @@ static const char *const shaders_i_shader_surface_rules_glsl[] = {
     "#endif\n"
     "#if TR_WANTS_COLOR\n"
     "    tr_color = color;\n"
-    "#endif\n"
+    "#endif\n",
+    "#line 179\n"
     "#if TR_RULE == TR_RULE_LAYER || TR_RULE == TR_RULE_LAYER_MARKED || TR_RULE == TR_RULE_LAYER_GROUP\n"
     "    gl_FragDepth = tr_owner_code(object);\n"
     "#else\n"
@@ -1436,6 +1496,7 @@ static const shaders_i_entry shaders_i_table[] = {
     {"compose.frag", shaders_i_shader_compose_frag, 2},
     {"cool_to_warm.glsl", shaders_i_shader_cool_to_warm_glsl, 1},
     {"copy_depth.frag", shaders_i_shader_copy_depth_frag, 1},
+    {"crossings.glsl", shaders_i_shader_crossings_glsl, 1},
     {"frame_block.glsl", shaders_i_shader_frame_block_glsl, 1},
     {"fullscreen.vert", shaders_i_shader_fullscreen_vert, 1},
     {"line.frag", shaders_i_shader_line_frag, 1},
@@ -1457,7 +1518,7 @@ static const shaders_i_entry shaders_i_table[] = {
     {"oit_tops.comp", shaders_i_shader_oit_tops_comp, 1},
     {"surface.frag", shaders_i_shader_surface_frag, 1},
     {"surface.vert", shaders_i_shader_surface_vert, 1},
-    {"surface_rules.glsl", shaders_i_shader_surface_rules_glsl, 2},
+    {"surface_rules.glsl", shaders_i_shader_surface_rules_glsl, 3},
     {"surface_vertex.glsl", shaders_i_shader_surface_vertex_glsl, 1},
     {0, 0, 0}};
 /* clang-format on */

@@ -256,7 +256,8 @@ enum {
 
 enum {
     TR_WISH_BLEND_COLOR = 1, /* frame.blend_color in place of the background behind transparent surfaces */
-    TR_WISH_SRGB = 2         /* colours are sRGB, blended as light; into a target with an sRGB format */
+    TR_WISH_SRGB = 2,        /* colours are sRGB, blended as light; into a target with an sRGB format */
+    TR_WISH_ENTERING = 4     /* opaque shade is strengthened near tr_set_crossings: Hodges' first rule */
 };
 
 typedef struct tr_wishes {
@@ -286,6 +287,9 @@ typedef struct tr_frame {
     float blend_color[3];   /* of TR_WISH_BLEND_COLOR */
     float group_distance;   /* groups: distance along the view, in eye units, below which one shows; 0: however far */
     float projection[16];   /* column-major, as the objects are drawn; needed where group_distance is given */
+    float enter_strength;   /* of TR_WISH_ENTERING: share of the shade taken away at the curve; 0: default 0.5 */
+    float enter_distance;   /* in which that falls to nothing, units of the segments; needed with TR_WISH_ENTERING */
+    float enter_line;       /* width in pixels of the curve as a line, in the outlines' colour; 0: none */
     float jitter[2];        /* sub-pixel jitter in the projection, pixels: lines are shifted by it, as surfaces are */
 } tr_frame;
 
@@ -322,6 +326,7 @@ typedef enum tr_rule {
     TR_RULE_LIMIT_MARKED,
     TR_RULE_LIMIT_MARKED_SHEET,
     TR_RULE_OPAQUE,
+    TR_RULE_OPAQUE_ENTERING,
     TR_RULE_COUNT
 } tr_rule;
 
@@ -361,7 +366,7 @@ TR_DEF tr_scene tr_scene_count(const void *objects, size_t count, size_t stride)
 
 /* ---- the sequence ----------------------------------------------------------------------------------------------- */
 
-#define TR_TEXTURE_UNITS 7
+#define TR_TEXTURE_UNITS 8
 
 /* The state that differs from pass to pass, as data; GL enumerants by their numbers. Under TR_STATE_NONE the host applies it:
    framebuffer, viewport, clears (of the whole framebuffer, masks open), then the rest. */
@@ -416,12 +421,31 @@ TR_DEF uint32_t tr_object_code(const tr_object *object, const tr_wishes *wishes)
 
 /* Uniforms of the built-in surface programs. */
 typedef struct tr_material {
-    float model_view_projection[16]; /* column-major */
-    float normal_matrix[9];          /* column-major 3x3: object space to the space of tr_frame.light */
-    float color[4];                  /* rgb added to attribute 3; alpha on the silhouette, of transparent objects */
-    float d_max, k;                  /* equation 2; d_max = 0: alpha is constant */
-    uint32_t object;                 /* tr_object_code, or the id alone without groups and methods of its own */
+    float model_view_projection[16];    /* column-major */
+    float normal_matrix[9];             /* column-major 3x3: object space to the space of tr_frame.light */
+    float color[4];                     /* rgb added to attribute 3; alpha on the silhouette, of transparent objects */
+    float d_max, k;                     /* equation 2; d_max = 0: alpha is constant */
+    float model[16];                    /* column-major, object to the space of the segments; for TR_WISH_ENTERING */
+    int crossing_first, crossing_count; /* this object's among the segments of tr_set_crossings */
+    uint32_t object;                    /* tr_object_code, or the id alone without groups and methods of its own */
 } tr_material;
+
+/* A triangle mesh, as far as its shape goes. */
+typedef struct tr_mesh {
+    const float *positions; /* x y z */
+    const uint32_t *indices;
+    size_t vertex_count, index_count;
+    float model[16]; /* column-major, to the common space; all zeros: none */
+} tr_mesh;
+
+/* Pure CPU: where the surface of a mesh crosses those of others, as segments of six floats in the common space. Writes at
+   most capacity segments; returns how many there are, SIZE_MAX without memory or for bad arguments. Each pair of triangles
+   that cross gives one; triangles with an index out of range or a number that is not finite give none, nor do such as
+   touch or lie in one plane. Ends are rounded to float. Time grows with the triangles whose extents along x overlap. */
+TR_DEF size_t tr_crossings(const tr_mesh *mesh, const tr_mesh *others, size_t other_count, float *segments,
+                           size_t capacity);
+/* For TR_WISH_ENTERING; outside of a frame; count may be 0. The segments are copied, and GL state is left as it was. */
+TR_DEF tr_result tr_set_crossings(tr_context *tr, const float *segments, size_t count);
 
 /* For surface passes drawn with the built-in program; call it after tr_next_pass, before the draw call. */
 TR_DEF void tr_set_material(tr_context *tr, const tr_pass *pass, const tr_material *material);
@@ -693,6 +717,49 @@ static const char *const tr_i_shader_copy_depth_frag[] = {
     "    gl_FragDepth = texelFetch(tr_scene_depth, ivec2(gl_FragCoord.xy), 0).r;\n"
     "}\n",
     0};
+static const char *const tr_i_shader_crossings_glsl[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// Fragment stage. Hodges' first rule (Diepstraten 2002, section 3): the shade of an opaque object is strengthened where\n"
+    "// it enters a transparent one, by distance from the curves where their surfaces cross.\n"
+    "#if TR_STRENGTHENS\n"
+    "uniform highp sampler2D tr_crossings; // two texels a segment, rows of 1024 texels: its ends\n"
+    "\n"
+    "highp vec3 tr_crossing_end(int index)\n"
+    "{\n"
+    "    return texelFetch(tr_crossings, ivec2(index & 1023, index >> 10), 0).xyz;\n"
+    "}\n"
+    "\n"
+    "// Of a point to the segments range.x up to range.x + range.y; the reach, tr_enter.y, where none is nearer.\n"
+    "highp float tr_crossing_distance(highp vec3 point, highp ivec2 range)\n"
+    "{\n"
+    "    highp float least = tr_enter.y * tr_enter.y;\n"
+    "    for (int i = 0; i < range.y; ++i) {\n"
+    "        highp vec3 a = tr_crossing_end(2 * (range.x + i));\n"
+    "        highp vec3 along = tr_crossing_end(2 * (range.x + i) + 1) - a, from = point - a;\n"
+    "        highp float square = dot(along, along);\n"
+    "        highp float t = square > 0.0 ? clamp(dot(from, along) / square, 0.0, 1.0) : 0.0;\n"
+    "        highp vec3 away = from - t * along;\n"
+    "        least = min(least, dot(away, away));\n"
+    "    }\n"
+    "    return sqrt(least);\n"
+    "}\n"
+    "#endif\n"
+    "\n"
+    "// position: of the fragment in the space of the segments. Returns color where there is nothing to strengthen.\n"
+    "highp vec4 tr_strengthen(highp vec4 color, highp vec3 position, highp ivec2 range)\n"
+    "{\n"
+    "#if TR_STRENGTHENS\n"
+    "    highp float reach = tr_enter.y, distance_to = tr_crossing_distance(position, range);\n"
+    "    highp float pixel = max(length(dFdx(position)), length(dFdy(position)));\n"
+    "    color.rgb *= 1.0 - tr_enter.x * (1.0 - distance_to / reach);\n"
+    "    // The curve itself, as a line: half of its width on either side.\n"
+    "    if (distance_to < 0.5 * tr_enter.z * pixel)\n"
+    "        color.rgb = tr_ink[1].rgb;\n"
+    "#endif\n"
+    "    return color;\n"
+    "}\n",
+    0};
 static const char *const tr_i_shader_frame_block_glsl[] = {
     "#line 1\n"
     "// For: transparency.h\n"
@@ -755,14 +822,14 @@ static const char *const tr_i_shader_line_frag[] = {
     "#if TR_HAS_SCENE\n"
     "uniform highp sampler2D tr_scene_depth;\n"
     "#endif\n"
-    "#if TR_HAS_FRONT\n"
+    "#if TR_HAS_FRONT // 2: seen through by this line, which is an opaque object's\n"
     "uniform highp sampler2DArray tr_front_depth;\n"
     "#endif\n"
     "in highp vec4 tr_v_line;\n"
     "layout(location = 0) out highp vec4 tr_color;\n"
     "\n"
-    "// The nearest of what is seen at a texel.\n"
-    "highp float tr_depth_at(ivec2 texel)\n"
+    "// The nearest of what is seen at a texel, with transparent surfaces or without.\n"
+    "highp float tr_depth_at(ivec2 texel, bool transparent)\n"
     "{\n"
     "    highp float depth = TR_CLEAR_DEPTH;\n"
     "#if TR_HAS_SCENE\n"
@@ -772,7 +839,7 @@ static const char *const tr_i_shader_line_frag[] = {
     "#if TR_HAS_FRONT\n"
     "    texel = clamp(texel, ivec2(0), textureSize(tr_front_depth, 0).xy - 1);\n"
     "    highp float front = texelFetch(tr_front_depth, ivec3(texel, 0), 0).r;\n"
-    "    depth = TR_BEHIND(depth, front) ? front : depth;\n"
+    "    depth = transparent && TR_BEHIND(depth, front) ? front : depth;\n"
     "#endif\n"
     "    return depth;\n"
     "}\n"
@@ -799,7 +866,7 @@ static const char *const tr_i_shader_line_frag[] = {
     "#endif\n"
     "    for (int y = -1; y <= 1; ++y) {\n"
     "        for (int x = -1; x <= 1; ++x) {\n"
-    "            highp float depth = tr_depth_at(center + ivec2(x, y) * TR_SUPERSAMPLE);\n"
+    "            highp float depth = tr_depth_at(center + ivec2(x, y) * TR_SUPERSAMPLE, TR_HAS_FRONT == 1);\n"
     "            farthest = TR_BEHIND(depth, farthest) ? depth : farthest;\n"
     "        }\n"
     "    }\n"
@@ -814,7 +881,7 @@ static const char *const tr_i_shader_line_frag[] = {
     "    ivec2 pixel = (ivec2(gl_FragCoord.xy) - TR_ORIGIN) * TR_TEXELS;\n"
     "    highp float surface = TR_CLEAR_DEPTH;\n"
     "    for (int i = 0; i < TR_TEXELS * TR_TEXELS; ++i) {\n"
-    "        highp float depth = tr_depth_at(pixel + ivec2(i % TR_TEXELS, i / TR_TEXELS));\n"
+    "        highp float depth = tr_depth_at(pixel + ivec2(i % TR_TEXELS, i / TR_TEXELS), true);\n"
     "        surface = TR_BEHIND(surface, depth) ? depth : surface;\n"
     "    }\n"
     "#if TR_LINE == TR_LINE_OUTER\n"
@@ -846,6 +913,10 @@ static const char *const tr_i_shader_surface_frag[] = {
     "// For: transparency.h\n"
     "// Built-in surface program for hosts without shaders of their own: fragment stage.\n"
     "uniform highp uint tr_object;\n"
+    "#if TR_STRENGTHENS\n"
+    "uniform highp ivec2 tr_crossing_range;\n"
+    "in highp vec3 tr_v_position;\n"
+    "#endif\n"
     "#if TR_WANTS_COLOR\n"
     "in highp vec3 tr_v_normal;\n"
     "in highp vec4 tr_v_color;\n"
@@ -859,7 +930,11 @@ static const char *const tr_i_shader_surface_frag[] = {
     "    highp vec3 normal = length_squared > 0.0 ? tr_v_normal * inversesqrt(length_squared) : vec3(0.0);\n"
     "    if (!gl_FrontFacing)\n"
     "        normal = -normal;\n"
-    "    tr_surface(vec4(tr_cool_to_warm(tr_v_color.rgb, normal, tr_light.xyz, tr_cool, tr_warm), tr_v_color.a), tr_object);\n"
+    "    highp vec4 color = vec4(tr_cool_to_warm(tr_v_color.rgb, normal, tr_light.xyz, tr_cool, tr_warm), tr_v_color.a);\n"
+    "#if TR_STRENGTHENS\n"
+    "    color = tr_strengthen(color, tr_v_position, tr_crossing_range);\n"
+    "#endif\n"
+    "    tr_surface(color, tr_object);\n"
     "#else\n"
     "    tr_surface(vec4(0.0), tr_object);\n"
     "#endif\n"
@@ -875,6 +950,10 @@ static const char *const tr_i_shader_surface_vert[] = {
     "layout(location = 3) in highp vec3 tr_tint;      // added to the object's colour; by default 0\n"
     "\n"
     "uniform highp mat4 tr_model_view_projection;\n"
+    "#if TR_STRENGTHENS\n"
+    "uniform highp mat4 tr_model;\n"
+    "out highp vec3 tr_v_position;\n"
+    "#endif\n"
     "#if TR_WANTS_COLOR\n"
     "uniform highp mat3 tr_normal_matrix;\n"
     "uniform highp vec4 tr_object_color; // a: alpha on the silhouette\n"
@@ -889,6 +968,9 @@ static const char *const tr_i_shader_surface_vert[] = {
     "    tr_v_normal = tr_normal_matrix * tr_normal;\n"
     "    tr_v_color = vec4(tr_object_color.rgb + tr_tint,\n"
     "                      tr_object_color.a * tr_view_alpha(tr_distance, tr_falloff.x, tr_falloff.y));\n"
+    "#endif\n"
+    "#if TR_STRENGTHENS\n"
+    "    tr_v_position = (tr_model * vec4(tr_position, 1.0)).xyz;\n"
     "#endif\n"
     "    gl_Position = tr_model_view_projection * vec4(tr_position, 1.0);\n"
     "}\n",
@@ -919,6 +1001,7 @@ static const char *const tr_i_shader_surface_rules_glsl[] = {
     "#define TR_RULE_LIMIT_MARKED 11 // by the method of the front-most object, past its group\n"
     "#define TR_RULE_LIMIT_MARKED_SHEET 12\n"
     "#define TR_RULE_OPAQUE 13 // opaque colour\n"
+    "#define TR_RULE_OPAQUE_ENTERING 14 // the same; tr_strengthen, of crossings.glsl, does something\n"
     "\n"
     "#if TR_WANTS_COLOR // defined by the preamble; where it is 0 color is not read and a host may skip its shading\n"
     "layout(location = 0) out highp vec4 tr_color;\n"
@@ -930,7 +1013,7 @@ static const char *const tr_i_shader_surface_rules_glsl[] = {
     "#define TR_IS_LIMIT_MARKED (TR_RULE == TR_RULE_LIMIT_MARKED || TR_RULE == TR_RULE_LIMIT_MARKED_SHEET)\n"
     "#define TR_IS_FIRST (TR_RULE == TR_RULE_FRONT || TR_RULE == TR_RULE_FRONT_ALONE)\n"
     "\n"
-    "#if !TR_IS_FIRST && TR_RULE != TR_RULE_OPAQUE\n"
+    "#if !TR_IS_FIRST && TR_RULE < TR_RULE_OPAQUE\n"
     "uniform highp sampler2DArray tr_front_depth; // of layers 0, 2, 4, ...; where one alone is read, those of its parity\n"
     "#endif\n"
     "#if TR_RULE == TR_RULE_LAYER_GROUP || TR_IS_LIMIT_MARKED\n"
@@ -978,9 +1061,9 @@ static const char *const tr_i_shader_surface_rules_glsl[] = {
     "}\n"
     "#endif\n"
     "\n"
-    "#if TR_IS_LIMIT_MARKED\n"
-    "// Whether a fragment ends what is seen through the last shown layer, by the method of the front-most object. Explicit\n",
+    "#if TR_IS_LIMIT_MARKED\n",
     "#line 86\n"
+    "// Whether a fragment ends what is seen through the last shown layer, by the method of the front-most object. Explicit\n"
     "// interiors end at the next face; implicit ones at a back face, or the face of an object that is not shown.\n"
     "bool tr_limits(highp float depth, bool faces_eye, highp uint object, ivec2 pixel)\n"
     "{\n"
@@ -1026,7 +1109,7 @@ static const char *const tr_i_shader_surface_rules_glsl[] = {
     "\n"
     "void tr_surface(highp vec4 color, highp uint object)\n"
     "{\n"
-    "#if TR_RULE == TR_RULE_OPAQUE\n"
+    "#if TR_RULE >= TR_RULE_OPAQUE\n"
     "    tr_color = vec4(color.rgb, 1.0); // alpha marks \"an opaque thing is here\"\n"
     "#else\n"
     "    highp float depth = gl_FragCoord.z;\n"
@@ -1072,7 +1155,8 @@ static const char *const tr_i_shader_surface_rules_glsl[] = {
     "#endif\n"
     "#if TR_WANTS_COLOR\n"
     "    tr_color = color;\n"
-    "#endif\n"
+    "#endif\n",
+    "#line 179\n"
     "#if TR_RULE == TR_RULE_LAYER || TR_RULE == TR_RULE_LAYER_MARKED || TR_RULE == TR_RULE_LAYER_GROUP\n"
     "    gl_FragDepth = tr_owner_code(object);\n"
     "#else\n"
@@ -1162,6 +1246,12 @@ static const char *const tr_i_shader_surface_vertex_glsl[] = {
 #define TR_I_GL_POLYGON_OFFSET_LINE 0x2A02u
 #define TR_I_GL_POLYGON_OFFSET_POINT 0x2A01u
 #define TR_I_GL_RASTERIZER_DISCARD 0x8C89u
+#define TR_I_GL_RGBA32F 0x8814u
+#define TR_I_GL_UNPACK_ALIGNMENT 0x0CF5u
+#define TR_I_GL_UNPACK_ROW_LENGTH 0x0CF2u
+#define TR_I_GL_UNPACK_SKIP_PIXELS 0x0CF4u
+#define TR_I_GL_UNPACK_SKIP_ROWS 0x0CF3u
+#define TR_I_GL_UNPACK_SWAP_BYTES 0x0CF0u
 #define TR_I_GL_R8 0x8229u
 #define TR_I_GL_RED 0x1903u
 #define TR_I_GL_READ_FRAMEBUFFER 0x8CA8u
@@ -1258,6 +1348,7 @@ typedef const char *const *tr_i_strings;
     X(unsigned char, IsEnabled, (tr_i_u))                                                                              \
     X(unsigned char, IsProgram, (tr_i_u))                                                                              \
     X(void, LinkProgram, (tr_i_u))                                                                                     \
+    X(void, PixelStorei, (tr_i_u, int32_t))                                                                            \
     X(void, ReadBuffer, (tr_i_u))                                                                                      \
     X(void, ShaderSource, (tr_i_u, int32_t, const char *const *, const int32_t *))                                     \
     X(void, TexImage2D, (tr_i_u, int32_t, int32_t, int32_t, int32_t, int32_t, tr_i_u, tr_i_u, const void *))           \
@@ -1265,6 +1356,7 @@ typedef const char *const *tr_i_strings;
     X(void, TexParameteri, (tr_i_u, tr_i_u, int32_t))                                                                  \
     X(void, Uniform1i, (int32_t, int32_t))                                                                             \
     X(void, Uniform1ui, (int32_t, tr_i_u))                                                                             \
+    X(void, Uniform2i, (int32_t, int32_t, int32_t))                                                                    \
     X(void, Uniform2f, (int32_t, float, float))                                                                        \
     X(void, Uniform4fv, (int32_t, int32_t, const float *))                                                             \
     X(void, UniformBlockBinding, (tr_i_u, tr_i_u, tr_i_u))                                                             \
@@ -1326,13 +1418,14 @@ enum {
     TR_I_OPAQUE_COLOR, /* alpha 1 where an opaque thing is */
     TR_I_LAYER_COLOR,  /* of all layers */
     TR_I_MARK,         /* group, and method in the highest bit, of the front-most transparent object */
+    TR_I_CROSSINGS,    /* segments, two texels each; not of the frame\'s size */
     TR_I_DEPTH_COPY,   /* of SCENE_DEPTH without lines */
     TR_I_TEXTURE_COUNT
 };
 
 static const tr_i_u tr_i_targets[TR_TEXTURE_UNITS] = {
     TR_I_GL_TEXTURE_2D_ARRAY, TR_I_GL_TEXTURE_2D_ARRAY, TR_I_GL_TEXTURE_2D_ARRAY, TR_I_GL_TEXTURE_2D,
-    TR_I_GL_TEXTURE_2D,       TR_I_GL_TEXTURE_2D_ARRAY, TR_I_GL_TEXTURE_2D};
+    TR_I_GL_TEXTURE_2D,       TR_I_GL_TEXTURE_2D_ARRAY, TR_I_GL_TEXTURE_2D,       TR_I_GL_TEXTURE_2D};
 
 /* Framebuffers, by the textures attached. */
 enum {
@@ -1359,7 +1452,7 @@ enum {
 typedef struct tr_i_program {
     tr_i_u name;  /* 0: not yet made */
     uint32_t key; /* of a variant */
-    int32_t model_view_projection, normal_matrix, color, falloff, object;
+    int32_t model_view_projection, normal_matrix, color, falloff, object, model, crossing_range;
 } tr_i_program;
 
 /* The uniform block tr_frame of shaders/frame_block.glsl, std140. */
@@ -1367,7 +1460,8 @@ typedef struct tr_i_block {
     float light[4], cool[4], warm[4], weights[4], viewport[4], ink[2][4], eye[4], blend[4], enter[4], shift[4];
     int32_t step[4];
 } tr_i_block;
-#define TR_I_STRIDE 256 /* of the copies of it in the buffer, one a layer; GL asks for no coarser alignment */
+#define TR_I_CROSSING_ROW 1024 /* texels; see crossings.glsl */
+#define TR_I_STRIDE 256        /* of the copies of it in the buffer, one a layer; GL asks for no coarser alignment */
 
 #define TR_I_MAX_DRAW_BUFFERS 8
 #define TR_I_MAX_CLIP_DISTANCES 8
@@ -1395,7 +1489,7 @@ struct tr_context {
     tr_desc desc;
     tr_i_gl gl;
     int es, version, has_indexed, has_indexed_blend, has_viewports, viewports, draw_buffers, clip_distances;
-    int32_t max_width, max_height; /* of a viewport */
+    int32_t max_width, max_height, max_texture; /* of a viewport; of a texture */
     const char *strings[TR_STAGE_COUNT][TR_RULE_COUNT][TR_I_MAX_STRINGS + 1];
     int string_count[TR_STAGE_COUNT][TR_RULE_COUNT];
     tr_i_program programs[TR_I_PROGRAM_COUNT];
@@ -1759,7 +1853,7 @@ static int tr_i_wishes_are_valid(const tr_wishes *wishes) {
     return (unsigned)wishes->interior <= TR_INTERIOR_LAYERS && (unsigned)wishes->blending <= TR_BLENDING_PUBLISHED &&
            wishes->lines <= (TR_LINES_CREASES | TR_LINES_OUTLINES | TR_LINES_HIDDEN | TR_LINES_OUTER) &&
            wishes->layers <= TR_MAX_LAYERS && wishes->supersample <= TR_MAX_SUPERSAMPLE &&
-           wishes->options <= (TR_WISH_BLEND_COLOR | TR_WISH_SRGB) &&
+           wishes->options <= (TR_WISH_BLEND_COLOR | TR_WISH_SRGB | TR_WISH_ENTERING) &&
            (wishes->interior != TR_INTERIOR_LAYERS || wishes->layers > 0);
 }
 
@@ -1771,7 +1865,7 @@ static int tr_i_counts_are_valid(const tr_scene *counts) {
 
 TR_I_API tr_result tr_plan_make(const tr_scene *counts, const tr_wishes *wishes, tr_plan *plan) {
     uint32_t transparent, opaque, lines;
-    int alone;
+    int alone, entering;
     if (!counts || !wishes || !plan || !tr_i_wishes_are_valid(wishes) || !tr_i_counts_are_valid(counts))
         return TR_INVALID_ARGUMENT;
     memset(plan, 0, sizeof *plan);
@@ -1790,8 +1884,12 @@ TR_I_API tr_result tr_plan_make(const tr_scene *counts, const tr_wishes *wishes,
        published back faces hide front faces too. */
     if (transparent && (opaque || plan->interior == TR_INTERIOR_IMPLICIT_PUBLISHED))
         tr_i_add_limit(plan, counts, alone);
-    tr_i_add_surfaces(plan, TR_PASS_OPAQUE, TR_RULE_OPAQUE, 0, counts->opaque, counts->opaque_two_sided, TR_OPAQUE,
-                      transparent ? "opaque objects before the limit" : "opaque objects");
+    entering = transparent && (wishes->options & TR_WISH_ENTERING);
+    tr_i_add_surfaces(plan, TR_PASS_OPAQUE, entering ? TR_RULE_OPAQUE_ENTERING : TR_RULE_OPAQUE, 0, counts->opaque,
+                      counts->opaque_two_sided, TR_OPAQUE,
+                      entering      ? "opaque objects before the limit, strengthened where they enter others"
+                      : transparent ? "opaque objects before the limit"
+                                    : "opaque objects");
     if (opaque && lines) {
         tr_i_add_pass(plan, TR_PASS_COPY_DEPTH, "opaque lines read the depth that they write");
         tr_i_add_lines(plan, TR_PASS_OPAQUE_LINES, lines, TR_I_ALL_OPAQUE);
@@ -2232,20 +2330,21 @@ static void tr_i_add_preamble(tr_i_source *source, int es, int reversed_z) {
 
 static int tr_i_wants_color(int rule) {
     return rule == TR_RULE_FRONT_ALONE || rule == TR_RULE_PEEL_ALONE || rule == TR_RULE_LAYER ||
-           rule == TR_RULE_LAYER_MARKED || rule == TR_RULE_LAYER_GROUP || rule == TR_RULE_OPAQUE;
+           rule == TR_RULE_LAYER_MARKED || rule == TR_RULE_LAYER_GROUP || rule >= TR_RULE_OPAQUE;
 }
 
 static void tr_i_add_rule(tr_i_source *source, int rule) {
     static const char *const rules[TR_RULE_COUNT] = {
-        "#define TR_RULE 0\n",  "#define TR_RULE 1\n", "#define TR_RULE 2\n",  "#define TR_RULE 3\n",
-        "#define TR_RULE 4\n",  "#define TR_RULE 5\n", "#define TR_RULE 6\n",  "#define TR_RULE 7\n",
-        "#define TR_RULE 8\n",  "#define TR_RULE 9\n", "#define TR_RULE 10\n", "#define TR_RULE 11\n",
-        "#define TR_RULE 12\n", "#define TR_RULE 13\n"};
+        "#define TR_RULE 0\n",  "#define TR_RULE 1\n",  "#define TR_RULE 2\n",  "#define TR_RULE 3\n",
+        "#define TR_RULE 4\n",  "#define TR_RULE 5\n",  "#define TR_RULE 6\n",  "#define TR_RULE 7\n",
+        "#define TR_RULE 8\n",  "#define TR_RULE 9\n",  "#define TR_RULE 10\n", "#define TR_RULE 11\n",
+        "#define TR_RULE 12\n", "#define TR_RULE 13\n", "#define TR_RULE 14\n"};
     tr_i_add(source, rules[rule]);
     tr_i_add(source, tr_i_wants_color(rule) ? "#define TR_WANTS_COLOR 1\n" : "#define TR_WANTS_COLOR 0\n");
     tr_i_add(source, rule == TR_RULE_PEEL_GROUP || rule == TR_RULE_LIMIT_MARKED || rule == TR_RULE_LIMIT_MARKED_SHEET
                          ? "#define TR_CHAIN 1\n"
                          : "#define TR_CHAIN 0\n");
+    tr_i_add(source, rule == TR_RULE_OPAQUE_ENTERING ? "#define TR_STRENGTHENS 1\n" : "#define TR_STRENGTHENS 0\n");
 }
 
 /* What a host's shader begins with, and the built-in surface programs too. */
@@ -2261,6 +2360,7 @@ static void tr_i_host_source(tr_i_source *source, tr_stage stage, int rule, int 
         tr_i_add_chunks(source, tr_i_shader_frame_block_glsl);
         tr_i_add_chunks(source, tr_i_shader_chain_glsl);
         tr_i_add_chunks(source, tr_i_shader_surface_rules_glsl);
+        tr_i_add_chunks(source, tr_i_shader_crossings_glsl);
         tr_i_add_chunks(source, tr_i_shader_cool_to_warm_glsl);
     }
 }
@@ -2294,7 +2394,7 @@ static tr_i_variant tr_i_variant_of(uint32_t key) {
     v.ink = key >> 17 & 1u;
     v.line = key >> 18 & 3u;
     v.on_target = key >> 20 & 1u;
-    v.has_front = key >> 21 & 1u;
+    v.has_front = key >> 21 & 3u;
     return v;
 }
 
@@ -2394,7 +2494,7 @@ static tr_i_u tr_i_link(tr_context *tr, int index) {
 static void tr_i_wire_program(tr_context *tr, tr_i_u program) {
     static const char *const samplers[TR_TEXTURE_UNITS] = {"tr_front_depth", "tr_odd_depth",    "tr_front_owner",
                                                            "tr_scene_depth", "tr_opaque_color", "tr_layer_color",
-                                                           "tr_front_mark"};
+                                                           "tr_front_mark",  "tr_crossings"};
     tr_i_u block = tr->gl.GetUniformBlockIndex(program, "tr_frame");
     int i;
     tr->gl.UseProgram(program);
@@ -2420,6 +2520,8 @@ static tr_result tr_i_make_program(tr_context *tr, int index) {
     program->color = tr->gl.GetUniformLocation(program->name, "tr_object_color");
     program->falloff = tr->gl.GetUniformLocation(program->name, "tr_falloff");
     program->object = tr->gl.GetUniformLocation(program->name, "tr_object");
+    program->model = tr->gl.GetUniformLocation(program->name, "tr_model");
+    program->crossing_range = tr->gl.GetUniformLocation(program->name, "tr_crossing_range");
     return TR_OK;
 }
 
@@ -2553,6 +2655,7 @@ static tr_result tr_i_detect(tr_context *tr) {
         return tr_i_fail(&tr->desc, TR_GL_FUNCTION_MISSING, missing);
     tr->gl.GetIntegerv(TR_I_GL_MAX_TEXTURE_SIZE, &tr->max_width);
     tr->gl.GetIntegerv(TR_I_GL_MAX_VIEWPORT_DIMS, viewport);
+    tr->max_texture = tr->max_width;
     tr->max_height = viewport[1] < tr->max_width ? viewport[1] : tr->max_width;
     tr->max_width = viewport[0] < tr->max_width ? viewport[0] : tr->max_width;
     tr->gl.GetIntegerv(TR_I_GL_MAX_DRAW_BUFFERS, &limit);
@@ -2635,10 +2738,13 @@ TR_I_API tr_context *tr_create(const tr_desc *desc, tr_result *result) {
 }
 
 static void tr_i_drop_textures(tr_context *tr) {
+    tr_i_u crossings = tr->textures[TR_I_CROSSINGS];
+    tr->textures[TR_I_CROSSINGS] = 0;
     tr->gl.DeleteFramebuffers(TR_I_FBO_COUNT, tr->fbos);
     tr->gl.DeleteTextures(TR_I_TEXTURE_COUNT, tr->textures);
     memset(tr->fbos, 0, sizeof tr->fbos);
     memset(tr->textures, 0, sizeof tr->textures);
+    tr->textures[TR_I_CROSSINGS] = crossings; /* the host's data, of no frame's size */
     tr->width = tr->height = 0;
 }
 
@@ -2656,6 +2762,7 @@ TR_I_API void tr_destroy(tr_context *tr) {
     if (!tr)
         return;
     tr_i_drop_textures(tr);
+    tr->gl.DeleteTextures(1, &tr->textures[TR_I_CROSSINGS]);
     for (i = 0; i < TR_I_PROGRAM_COUNT; ++i)
         if (tr->programs[i].name)
             tr->gl.DeleteProgram(tr->programs[i].name);
@@ -2675,10 +2782,290 @@ TR_I_API tr_info tr_get_info(const tr_context *tr) {
     info.es = tr->es;
     info.version = tr->version;
     info.plan = &tr->plan;
+    if (tr->textures[TR_I_CROSSINGS])
+        info.bytes = (uint64_t)tr->slices[TR_I_CROSSINGS] * TR_I_CROSSING_ROW * 16u;
     for (i = 0; i < TR_I_TEXTURE_COUNT; ++i)
-        if (tr->textures[i])
+        if (tr->textures[i] && i != TR_I_CROSSINGS)
             info.bytes += (uint64_t)tr->width * (uint64_t)tr->height * (uint64_t)tr->slices[i] * tr_i_texel_bytes(i);
     return info;
+}
+
+/* By its bits: comparisons with NaN are what -ffast-math takes away. */
+static int tr_i_all_finite(const float *numbers, int count) {
+    int i;
+    for (i = 0; i < count; ++i) {
+        uint32_t bits;
+        memcpy(&bits, &numbers[i], sizeof bits);
+        if ((bits & 0x7f800000u) == 0x7f800000u)
+            return 0;
+    }
+    return 1;
+}
+
+/* ---- where surfaces cross --------------------------------------------------------------------------------------- */
+
+typedef struct tr_i_triangle {
+    double v[3][3], low[3], high[3];
+} tr_i_triangle;
+
+/* 0: an index is out of range or a number not finite. */
+static int tr_i_take_triangle(const tr_mesh *mesh, size_t index, tr_i_triangle *t) {
+    static const float zero[16] = {0};
+    int moved = memcmp(mesh->model, zero, sizeof zero) != 0, i, k;
+    for (i = 0; i < 3; ++i) {
+        uint32_t vertex = mesh->indices[3 * index + (size_t)i];
+        const float *p = mesh->positions + 3 * (size_t)vertex, *m = mesh->model;
+        if (vertex >= mesh->vertex_count || !tr_i_all_finite(p, 3))
+            return 0;
+        for (k = 0; k < 3; ++k) {
+            t->v[i][k] = moved ? (double)m[k] * (double)p[0] + (double)m[4 + k] * (double)p[1] +
+                                     (double)m[8 + k] * (double)p[2] + (double)m[12 + k]
+                               : (double)p[k];
+            t->low[k] = i && t->low[k] < t->v[i][k] ? t->low[k] : t->v[i][k];
+            t->high[k] = i && t->high[k] > t->v[i][k] ? t->high[k] : t->v[i][k];
+        }
+    }
+    return 1;
+}
+
+static double tr_i_dot3(const double a[3], const double b[3]) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static void tr_i_cross3(const double a[3], const double b[3], double out[3]) {
+    out[0] = a[1] * b[2] - a[2] * b[1];
+    out[1] = a[2] * b[0] - a[0] * b[2];
+    out[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+static void tr_i_normal3(const tr_i_triangle *t, double out[3]) {
+    double e[2][3];
+    int k;
+    for (k = 0; k < 3; ++k) {
+        e[0][k] = t->v[1][k] - t->v[0][k];
+        e[1][k] = t->v[2][k] - t->v[0][k];
+    }
+    tr_i_cross3(e[0], e[1], out);
+}
+
+/* The two points where a triangle meets the plane through `point`; 0 where it lies on one side. A vertex on the plane
+   counts as before it, so that neighbours agree. */
+static int tr_i_cut(const tr_i_triangle *t, const double normal[3], const double point[3], double out[2][3]) {
+    double d[3], from[3];
+    int i, k, lone;
+    for (i = 0; i < 3; ++i) {
+        for (k = 0; k < 3; ++k)
+            from[k] = t->v[i][k] - point[k];
+        d[i] = tr_i_dot3(normal, from);
+    }
+    if ((d[0] >= 0) == (d[1] >= 0) && (d[1] >= 0) == (d[2] >= 0))
+        return 0;
+    lone = (d[0] >= 0) == (d[1] >= 0) ? 2 : (d[0] >= 0) == (d[2] >= 0) ? 1 : 0;
+    for (i = 0; i < 2; ++i) {
+        int other = (lone + 1 + i) % 3;
+        double share = d[lone] / (d[lone] - d[other]); /* of unlike sign, one not 0 */
+        for (k = 0; k < 3; ++k)
+            out[i][k] = t->v[lone][k] + share * (t->v[other][k] - t->v[lone][k]);
+    }
+    return 1;
+}
+
+/* Both triangles meet the line of their planes in an interval; where these overlap they cross (Moeller 1997). */
+static int tr_i_cross_triangles(const tr_i_triangle *a, const tr_i_triangle *b, float out[6]) {
+    double normals[2][3], along[3], cuts[2][2][3], at[2][2];
+    int i, k, first, last;
+    tr_i_normal3(a, normals[0]);
+    tr_i_normal3(b, normals[1]);
+    if (!tr_i_cut(a, normals[1], b->v[0], cuts[0]) || !tr_i_cut(b, normals[0], a->v[0], cuts[1]))
+        return 0;
+    tr_i_cross3(normals[0], normals[1], along);
+    for (i = 0; i < 2; ++i) {
+        for (k = 0; k < 2; ++k)
+            at[i][k] = tr_i_dot3(along, cuts[i][k]);
+        if (at[i][0] > at[i][1]) {
+            double swap = at[i][0];
+            at[i][0] = at[i][1];
+            at[i][1] = swap;
+            for (k = 0; k < 3; ++k) {
+                swap = cuts[i][0][k];
+                cuts[i][0][k] = cuts[i][1][k];
+                cuts[i][1][k] = swap;
+            }
+        }
+    }
+    first = at[0][0] >= at[1][0] ? 0 : 1;
+    last = at[0][1] <= at[1][1] ? 0 : 1;
+    if (!(at[first][0] < at[last][1]))
+        return 0;
+    for (k = 0; k < 3; ++k) {
+        out[k] = (float)cuts[first][0][k];
+        out[3 + k] = (float)cuts[last][1][k];
+    }
+    return tr_i_all_finite(out, 6);
+}
+
+/* A triangle by its extent along x. high: the farthest extent of it and all before it in the order. */
+typedef struct tr_i_extent {
+    double low, high;
+    uint32_t triangle;
+} tr_i_extent;
+
+static void tr_i_sift(tr_i_extent *heap, size_t root, size_t count) {
+    for (;;) {
+        size_t child = 2 * root + 1;
+        tr_i_extent swap = heap[root];
+        if (child >= count)
+            return;
+        if (child + 1 < count && heap[child + 1].low > heap[child].low)
+            ++child;
+        if (!(heap[child].low > swap.low))
+            return;
+        heap[root] = heap[child];
+        heap[child] = swap;
+        root = child;
+    }
+}
+
+/* The triangles of a mesh that can be used, by where they begin along x. */
+static size_t tr_i_sort_extents(const tr_mesh *mesh, tr_i_extent *extents) {
+    size_t count = 0, i;
+    for (i = 0; i < mesh->index_count / 3; ++i) {
+        tr_i_triangle t;
+        if (!tr_i_take_triangle(mesh, i, &t))
+            continue;
+        extents[count].low = t.low[0];
+        extents[count].high = t.high[0];
+        extents[count++].triangle = (uint32_t)i;
+    }
+    for (i = count / 2; i-- > 0;)
+        tr_i_sift(extents, i, count);
+    for (i = count; i-- > 1;) {
+        tr_i_extent swap = extents[0];
+        extents[0] = extents[i];
+        extents[i] = swap;
+        tr_i_sift(extents, 0, i);
+    }
+    for (i = 1; i < count; ++i)
+        if (extents[i].high < extents[i - 1].high)
+            extents[i].high = extents[i - 1].high;
+    return count;
+}
+
+/* The first extent that may reach `x`: high never falls along the order. */
+static size_t tr_i_first_reaching(const tr_i_extent *extents, size_t count, double x) {
+    size_t low = 0;
+    while (low < count) {
+        size_t middle = low + (count - low) / 2;
+        if (extents[middle].high < x)
+            low = middle + 1;
+        else
+            count = middle;
+    }
+    return low;
+}
+
+static int tr_i_mesh_is_valid(const tr_mesh *mesh) {
+    return (mesh->positions && mesh->indices) || mesh->index_count < 3;
+}
+
+TR_I_API size_t tr_crossings(const tr_mesh *mesh, const tr_mesh *others, size_t other_count, float *segments,
+                             size_t capacity) {
+    size_t found = 0, o, i, k;
+    if (!mesh || (!others && other_count) || !tr_i_mesh_is_valid(mesh))
+        return (size_t)-1;
+    for (o = 0; o < other_count; ++o) {
+        size_t triangles = others[o].index_count / 3, count;
+        tr_i_extent *extents;
+        if (!tr_i_mesh_is_valid(&others[o]) || triangles > 0xffffffffu / sizeof *extents)
+            return (size_t)-1;
+        extents = triangles ? (tr_i_extent *)TR_MALLOC(triangles * sizeof *extents) : 0;
+        if (!extents && triangles)
+            return (size_t)-1;
+        count = triangles ? tr_i_sort_extents(&others[o], extents) : 0;
+        for (i = 0; i < mesh->index_count / 3; ++i) {
+            tr_i_triangle a, b;
+            if (!tr_i_take_triangle(mesh, i, &a))
+                continue;
+            for (k = tr_i_first_reaching(extents, count, a.low[0]); k < count && extents[k].low <= a.high[0]; ++k) {
+                float segment[6];
+                tr_i_take_triangle(&others[o], extents[k].triangle, &b);
+                if (a.low[1] > b.high[1] || b.low[1] > a.high[1] || a.low[2] > b.high[2] || b.low[2] > a.high[2] ||
+                    a.low[0] > b.high[0] || !tr_i_cross_triangles(&a, &b, segment))
+                    continue;
+                if (segments && found < capacity)
+                    memcpy(segments + 6 * found, segment, sizeof segment);
+                ++found;
+            }
+        }
+        if (extents)
+            TR_FREE(extents);
+    }
+    return found;
+}
+
+/* Pixel storage and bindings that an upload depends on: set to plain values, or put back. */
+static void tr_i_pixel_storage(const tr_context *tr, int32_t saved[8], int restore) {
+    static const tr_i_u names[5] = {TR_I_GL_UNPACK_ALIGNMENT, TR_I_GL_UNPACK_ROW_LENGTH, TR_I_GL_UNPACK_SKIP_PIXELS,
+                                    TR_I_GL_UNPACK_SKIP_ROWS, TR_I_GL_UNPACK_SWAP_BYTES};
+    tr_i_u unit = TR_I_GL_TEXTURE0 + (tr_i_u)(tr->desc.first_texture_unit + TR_I_CROSSINGS);
+    int i, count = tr->es ? 4 : 5;
+    if (!restore) {
+        tr->gl.GetIntegerv(TR_I_GL_ACTIVE_TEXTURE, &saved[5]);
+        tr->gl.ActiveTexture(unit);
+        tr->gl.GetIntegerv(TR_I_GL_TEXTURE_BINDING_2D, &saved[6]);
+        tr->gl.GetIntegerv(TR_I_GL_PIXEL_UNPACK_BUFFER_BINDING, &saved[7]);
+        tr->gl.BindBuffer(TR_I_GL_PIXEL_UNPACK_BUFFER, 0);
+    }
+    for (i = 0; i < count; ++i) {
+        if (!restore)
+            tr->gl.GetIntegerv(names[i], &saved[i]);
+        tr->gl.PixelStorei(names[i], restore ? saved[i] : i == 0 ? 4 : 0);
+    }
+    if (restore) {
+        tr->gl.BindTexture(TR_I_GL_TEXTURE_2D, (tr_i_u)saved[6]);
+        tr->gl.ActiveTexture((tr_i_u)saved[5]);
+        tr->gl.BindBuffer(TR_I_GL_PIXEL_UNPACK_BUFFER, (tr_i_u)saved[7]);
+    }
+}
+
+/* Ends of segments as texels, filled up to whole rows. */
+static float *tr_i_crossing_texels(const tr_context *tr, const float *segments, size_t count, size_t rows) {
+    float *texels = (float *)tr->desc.alloc_fn(rows * TR_I_CROSSING_ROW * 4 * sizeof *texels, tr->desc.alloc_user);
+    size_t i;
+    if (!texels)
+        return 0;
+    memset(texels, 0, rows * TR_I_CROSSING_ROW * 4 * sizeof *texels);
+    for (i = 0; i < 2 * count; ++i)
+        memcpy(texels + 4 * i, segments + 3 * i, 3 * sizeof *texels);
+    return texels;
+}
+
+TR_I_API tr_result tr_set_crossings(tr_context *tr, const float *segments, size_t count) {
+    size_t rows = (2 * count + TR_I_CROSSING_ROW - 1) / TR_I_CROSSING_ROW;
+    int32_t saved[8];
+    float *texels;
+    if (!tr || (!segments && count))
+        return TR_INVALID_ARGUMENT;
+    if (tr->in_frame)
+        return tr_i_fail(&tr->desc, TR_WRONG_ORDER, "tr_set_crossings");
+    if (count > (size_t)1 << 30 || rows > (size_t)tr->max_texture)
+        return tr_i_fail(&tr->desc, TR_TOO_LARGE, "tr_set_crossings");
+    rows = rows ? rows : 1;
+    texels = tr_i_crossing_texels(tr, segments, count, rows);
+    if (!texels)
+        return tr_i_fail(&tr->desc, TR_OUT_OF_MEMORY, "tr_set_crossings");
+    tr_i_pixel_storage(tr, saved, 0);
+    if (!tr->textures[TR_I_CROSSINGS])
+        tr->gl.GenTextures(1, &tr->textures[TR_I_CROSSINGS]);
+    tr->gl.BindTexture(TR_I_GL_TEXTURE_2D, tr->textures[TR_I_CROSSINGS]);
+    tr->gl.TexImage2D(TR_I_GL_TEXTURE_2D, 0, (int32_t)TR_I_GL_RGBA32F, TR_I_CROSSING_ROW, (int32_t)rows, 0,
+                      TR_I_GL_RGBA, TR_I_GL_FLOAT, texels);
+    tr->gl.TexParameteri(TR_I_GL_TEXTURE_2D, TR_I_GL_TEXTURE_MIN_FILTER, TR_I_GL_NEAREST);
+    tr->gl.TexParameteri(TR_I_GL_TEXTURE_2D, TR_I_GL_TEXTURE_MAG_FILTER, TR_I_GL_NEAREST);
+    tr_i_pixel_storage(tr, saved, 1);
+    tr->slices[TR_I_CROSSINGS] = (int)rows;
+    tr->desc.free_fn(texels, tr->desc.alloc_user);
+    return TR_OK;
 }
 
 /* ---- textures and framebuffers ---------------------------------------------------------------------------------- */
@@ -2827,8 +3214,8 @@ static void tr_i_line_variant(const tr_context *tr, const tr_plan_pass *pass, tr
               : pass->lines == TR_LINES_OUTER ? (uint32_t)TR_I_LINE_OUTER
                                               : 0u;
     v->on_target = pass->kind != TR_PASS_OPAQUE_LINES;
-    v->has_front = (tr->plan.textures >> TR_I_FRONT_DEPTH & 1u) && v->on_target &&
-                   (pass->kind != TR_PASS_HIDDEN_LINES || !opaque_alone);
+    if (v->on_target && (tr->plan.textures >> TR_I_FRONT_DEPTH & 1u))
+        v->has_front = pass->kind == TR_PASS_HIDDEN_LINES && opaque_alone ? 2 : 1;
 }
 
 /* The key of a pass that is drawn by a variant; 0 where it is not. */
@@ -2929,6 +3316,9 @@ static void tr_i_fill_block(const tr_frame *frame, int zero_to_one, tr_i_block *
     memcpy(block->blend, frame->blend_color, sizeof frame->blend_color);
     block->blend[3] = frame->group_distance > 0.0f ? frame->group_distance : -1.0f;
     memcpy(block->shift, frame->jitter, sizeof frame->jitter);
+    block->enter[0] = tr_i_weight(frame->enter_strength, 0.5f);
+    block->enter[1] = frame->enter_distance;
+    block->enter[2] = frame->enter_line > 0.0f ? frame->enter_line : 0.0f;
     block->viewport[0] = (float)frame->x;
     block->viewport[1] = (float)frame->y;
     block->viewport[2] = (float)frame->width;
@@ -3014,18 +3404,6 @@ static tr_result tr_i_check_target(tr_context *tr, int *multisampled) {
     return TR_OK;
 }
 
-/* By its bits: comparisons with NaN are what -ffast-math takes away. */
-static int tr_i_all_finite(const float *numbers, int count) {
-    int i;
-    for (i = 0; i < count; ++i) {
-        uint32_t bits;
-        memcpy(&bits, &numbers[i], sizeof bits);
-        if ((bits & 0x7f800000u) == 0x7f800000u)
-            return 0;
-    }
-    return 1;
-}
-
 static tr_result tr_i_check_frame(const tr_context *tr, const tr_frame *frame) {
     int texels = frame->wishes.supersample ? (int)frame->wishes.supersample : 1;
     if (!tr_i_all_finite(&frame->opaque_weight, 1) || !tr_i_all_finite(&frame->background_weight, 1) ||
@@ -3033,8 +3411,12 @@ static tr_result tr_i_check_frame(const tr_context *tr, const tr_frame *frame) {
         !tr_i_all_finite(frame->cool, 4) || !tr_i_all_finite(frame->warm, 4) ||
         !tr_i_all_finite(frame->crease_color, 3) || !tr_i_all_finite(frame->outline_color, 3) ||
         !tr_i_all_finite(frame->blend_color, 3) || !tr_i_all_finite(&frame->group_distance, 1) ||
-        !tr_i_all_finite(frame->projection, 16) || !tr_i_all_finite(frame->jitter, 2))
+        !tr_i_all_finite(&frame->enter_strength, 1) || !tr_i_all_finite(&frame->enter_distance, 1) ||
+        !tr_i_all_finite(&frame->enter_line, 1) || !tr_i_all_finite(frame->projection, 16) ||
+        !tr_i_all_finite(frame->jitter, 2))
         return tr_i_fail(&tr->desc, TR_INVALID_ARGUMENT, "a number of the frame is not finite");
+    if ((frame->wishes.options & TR_WISH_ENTERING) && !(frame->enter_distance > 0.0f))
+        return tr_i_fail(&tr->desc, TR_INVALID_ARGUMENT, "TR_WISH_ENTERING needs frame.enter_distance");
     /* Without a projection every depth is the same distance off. */
     if (frame->group_distance > 0.0f &&
         frame->projection[10] * frame->projection[15] == frame->projection[11] * frame->projection[14])
@@ -3097,6 +3479,8 @@ static uint32_t tr_i_reads(const tr_plan_pass *pass, const tr_plan *plan) {
     const uint32_t front = 1u << TR_I_FRONT_DEPTH, odd = 1u << TR_I_ODD_DEPTH, owner = 1u << TR_I_FRONT_OWNER;
     const uint32_t behind = 1u << TR_I_SCENE_DEPTH, mark = 1u << TR_I_MARK, color = 1u << TR_I_LAYER_COLOR;
     switch (pass->rule) {
+    case TR_RULE_OPAQUE_ENTERING:
+        return 1u << TR_I_CROSSINGS;
     case TR_RULE_PEEL_GROUP:
         return front | owner | mark;
     case TR_RULE_LAYER_GROUP:
@@ -3153,7 +3537,7 @@ static void tr_i_turn_layers(const tr_plan_pass *pass, const tr_plan *plan, tr_s
 
 static void tr_i_fill_textures(const tr_context *tr, const tr_plan_pass *pass, tr_state *state) {
     const uint32_t depths = (1u << TR_I_FRONT_DEPTH) | (1u << TR_I_ODD_DEPTH);
-    uint32_t reads = tr_i_reads(pass, &tr->plan) & tr->plan.textures;
+    uint32_t reads = tr_i_reads(pass, &tr->plan) & (tr->plan.textures | 1u << TR_I_CROSSINGS);
     int turned = pass->kind == TR_PASS_PEEL || pass->kind == TR_PASS_LAYER || pass->kind == TR_PASS_LIMIT, i;
     for (i = 0; i < TR_TEXTURE_UNITS; ++i) {
         state->texture_targets[i] = tr_i_targets[i];
@@ -3305,6 +3689,10 @@ TR_I_API void tr_set_material(tr_context *tr, const tr_pass *pass, const tr_mate
         gl->Uniform2f(program->falloff, material->d_max, material->k);
     if (program->object >= 0)
         gl->Uniform1ui(program->object, material->object);
+    if (program->model >= 0)
+        gl->UniformMatrix4fv(program->model, 1, 0, material->model);
+    if (program->crossing_range >= 0)
+        gl->Uniform2i(program->crossing_range, material->crossing_first, material->crossing_count);
 }
 
 TR_I_API tr_result tr_end(tr_context *tr) {

@@ -23,14 +23,14 @@
 #if TR_HAS_SCENE
 uniform highp sampler2D tr_scene_depth;
 #endif
-#if TR_HAS_FRONT
+#if TR_HAS_FRONT // 2: seen through by this line, which is an opaque object's
 uniform highp sampler2DArray tr_front_depth;
 #endif
 in highp vec4 tr_v_line;
 layout(location = 0) out highp vec4 tr_color;
 
-// The nearest of what is seen at a texel.
-highp float tr_depth_at(ivec2 texel)
+// The nearest of what is seen at a texel, with transparent surfaces or without.
+highp float tr_depth_at(ivec2 texel, bool transparent)
 {
     highp float depth = TR_CLEAR_DEPTH;
 #if TR_HAS_SCENE
@@ -40,7 +40,7 @@ highp float tr_depth_at(ivec2 texel)
 #if TR_HAS_FRONT
     texel = clamp(texel, ivec2(0), textureSize(tr_front_depth, 0).xy - 1);
     highp float front = texelFetch(tr_front_depth, ivec3(texel, 0), 0).r;
-    depth = TR_BEHIND(depth, front) ? front : depth;
+    depth = transparent && TR_BEHIND(depth, front) ? front : depth;
 #endif
     return depth;
 }
@@ -67,7 +67,7 @@ void main()
 #endif
     for (int y = -1; y <= 1; ++y) {
         for (int x = -1; x <= 1; ++x) {
-            highp float depth = tr_depth_at(center + ivec2(x, y) * TR_SUPERSAMPLE);
+            highp float depth = tr_depth_at(center + ivec2(x, y) * TR_SUPERSAMPLE, TR_HAS_FRONT == 1);
             farthest = TR_BEHIND(depth, farthest) ? depth : farthest;
         }
     }
@@ -82,7 +82,7 @@ void main()
     ivec2 pixel = (ivec2(gl_FragCoord.xy) - TR_ORIGIN) * TR_TEXELS;
     highp float surface = TR_CLEAR_DEPTH;
     for (int i = 0; i < TR_TEXELS * TR_TEXELS; ++i) {
-        highp float depth = tr_depth_at(pixel + ivec2(i % TR_TEXELS, i / TR_TEXELS));
+        highp float depth = tr_depth_at(pixel + ivec2(i % TR_TEXELS, i / TR_TEXELS), true);
         surface = TR_BEHIND(surface, depth) ? depth : surface;
     }
 #if TR_LINE == TR_LINE_OUTER

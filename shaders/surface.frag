@@ -1,6 +1,10 @@
 // For: transparency.h
 // Built-in surface program for hosts without shaders of their own: fragment stage.
 uniform highp uint tr_object;
+#if TR_STRENGTHENS
+uniform highp ivec2 tr_crossing_range;
+in highp vec3 tr_v_position;
+#endif
 #if TR_WANTS_COLOR
 in highp vec3 tr_v_normal;
 in highp vec4 tr_v_color;
@@ -14,7 +18,11 @@ void main()
     highp vec3 normal = length_squared > 0.0 ? tr_v_normal * inversesqrt(length_squared) : vec3(0.0);
     if (!gl_FrontFacing)
         normal = -normal;
-    tr_surface(vec4(tr_cool_to_warm(tr_v_color.rgb, normal, tr_light.xyz, tr_cool, tr_warm), tr_v_color.a), tr_object);
+    highp vec4 color = vec4(tr_cool_to_warm(tr_v_color.rgb, normal, tr_light.xyz, tr_cool, tr_warm), tr_v_color.a);
+#if TR_STRENGTHENS
+    color = tr_strengthen(color, tr_v_position, tr_crossing_range);
+#endif
+    tr_surface(color, tr_object);
 #else
     tr_surface(vec4(0.0), tr_object);
 #endif

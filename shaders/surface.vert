@@ -6,6 +6,10 @@ layout(location = 2) in highp float tr_distance; // to the nearest silhouette, s
 layout(location = 3) in highp vec3 tr_tint;      // added to the object's colour; by default 0
 
 uniform highp mat4 tr_model_view_projection;
+#if TR_STRENGTHENS
+uniform highp mat4 tr_model;
+out highp vec3 tr_v_position;
+#endif
 #if TR_WANTS_COLOR
 uniform highp mat3 tr_normal_matrix;
 uniform highp vec4 tr_object_color; // a: alpha on the silhouette
@@ -20,6 +24,9 @@ void main()
     tr_v_normal = tr_normal_matrix * tr_normal;
     tr_v_color = vec4(tr_object_color.rgb + tr_tint,
                       tr_object_color.a * tr_view_alpha(tr_distance, tr_falloff.x, tr_falloff.y));
+#endif
+#if TR_STRENGTHENS
+    tr_v_position = (tr_model * vec4(tr_position, 1.0)).xyz;
 #endif
     gl_Position = tr_model_view_projection * vec4(tr_position, 1.0);
 }

@@ -22,6 +22,7 @@
 #define TR_RULE_LIMIT_MARKED 11 // by the method of the front-most object, past its group
 #define TR_RULE_LIMIT_MARKED_SHEET 12
 #define TR_RULE_OPAQUE 13 // opaque colour
+#define TR_RULE_OPAQUE_ENTERING 14 // the same; tr_strengthen, of crossings.glsl, does something
 
 #if TR_WANTS_COLOR // defined by the preamble; where it is 0 color is not read and a host may skip its shading
 layout(location = 0) out highp vec4 tr_color;
@@ -33,7 +34,7 @@ layout(location = 1) out highp float tr_marking;
 #define TR_IS_LIMIT_MARKED (TR_RULE == TR_RULE_LIMIT_MARKED || TR_RULE == TR_RULE_LIMIT_MARKED_SHEET)
 #define TR_IS_FIRST (TR_RULE == TR_RULE_FRONT || TR_RULE == TR_RULE_FRONT_ALONE)
 
-#if !TR_IS_FIRST && TR_RULE != TR_RULE_OPAQUE
+#if !TR_IS_FIRST && TR_RULE < TR_RULE_OPAQUE
 uniform highp sampler2DArray tr_front_depth; // of layers 0, 2, 4, ...; where one alone is read, those of its parity
 #endif
 #if TR_RULE == TR_RULE_LAYER_GROUP || TR_IS_LIMIT_MARKED
@@ -128,7 +129,7 @@ bool tr_joins(highp float depth, highp uint object, ivec2 pixel)
 
 void tr_surface(highp vec4 color, highp uint object)
 {
-#if TR_RULE == TR_RULE_OPAQUE
+#if TR_RULE >= TR_RULE_OPAQUE
     tr_color = vec4(color.rgb, 1.0); // alpha marks "an opaque thing is here"
 #else
     highp float depth = gl_FragCoord.z;

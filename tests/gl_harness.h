@@ -246,6 +246,10 @@ static inline tr_frame harness_frame(const harness *h, const ref_scene *scene, c
     frame.wishes.options =
         (scene->use_blend_color ? TR_WISH_BLEND_COLOR : 0u) | (scene->srgb ? (uint32_t)TR_WISH_SRGB : 0u);
     frame.group_distance = (float)scene->group_distance;
+    if (scene->enter_reach > 0)
+        frame.wishes.options |= TR_WISH_ENTERING;
+    frame.enter_strength = scene->enter_strength > 0 ? (float)scene->enter_strength : -1.0f;
+    frame.enter_distance = (float)scene->enter_reach;
     for (int i = 0; i < 16; ++i)
         frame.projection[i] = (float)scene->projection[i];
     frame.opaque_weight = scene->opaque_weight > 0 ? (float)scene->opaque_weight : -1.0f;
@@ -272,11 +276,45 @@ static inline void harness_clear(const harness *h, const double background[3], f
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
 }
 
+/* Where opaque objects enter transparent ones, for all objects; which segments are whose. */
+static inline void harness_enter(harness *h, const harness_object *objects, size_t count, size_t firsts[],
+                                 size_t counts[]) {
+    static tr_mesh meshes[256], others[256];
+    size_t other_count = 0, total = 0;
+    float *segments = NULL;
+    assert_true(count <= 256);
+    for (size_t i = 0; i < count; ++i) {
+        const ref_object *t = &objects[i].truth;
+        meshes[i].positions = t->positions;
+        meshes[i].indices = t->indices;
+        meshes[i].vertex_count = t->vertex_count;
+        meshes[i].index_count = 3 * t->triangle_count;
+        for (int k = 0; k < 16; ++k)
+            meshes[i].model[k] = (float)t->model[k];
+        if (t->transparent)
+            others[other_count++] = meshes[i];
+    }
+    for (size_t i = 0; i < count; ++i) {
+        bool solid = !objects[i].truth.transparent;
+        firsts[i] = total;
+        counts[i] = solid ? tr_crossings(&meshes[i], others, other_count, NULL, 0) : 0;
+        segments = realloc(segments, (total + counts[i] + 1) * 6 * sizeof *segments);
+        if (solid)
+            assert_int_equal(tr_crossings(&meshes[i], others, other_count, segments + 6 * total, counts[i]), counts[i]);
+        total += counts[i];
+    }
+    assert_int_equal(tr_set_crossings(h->tr, segments, total), TR_OK);
+    free(segments);
+}
+
 /* Draws the objects in the order given and reads the picture back, four bytes a pixel, bottom row first. */
 static inline void harness_draw(harness *h, const ref_scene *scene, const harness_object *objects, size_t count,
                                 harness_options *options, unsigned char *pixels) {
     tr_frame frame = harness_frame(h, scene, objects, count);
     tr_pass pass;
+    size_t firsts[256], counts[256];
+    if (scene->enter_reach > 0)
+        harness_enter(h, objects, count, firsts, counts);
     frame.x = options ? options->x : 0;
     frame.y = options ? options->y : 0;
     if (options && options->change)
@@ -297,6 +335,10 @@ static inline void harness_draw(harness *h, const ref_scene *scene, const harnes
                 continue;
             harness_material(scene, &o->truth, &material);
             material.object = tr_object_code(&o->object, &frame.wishes);
+            for (int k = 0; k < 16; ++k)
+                material.model[k] = (float)o->truth.model[k];
+            material.crossing_first = scene->enter_reach > 0 ? (int)firsts[i] : 0;
+            material.crossing_count = scene->enter_reach > 0 ? (int)counts[i] : 0;
             if (options && options->d_max) {
                 material.d_max = options->d_max[i];
                 material.k = options->k[i];

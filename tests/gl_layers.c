@@ -392,11 +392,151 @@ static void test_probes_of_methods(void **state) {
     assert_true(checked >= 20);
 }
 
+/* ---- Hodges' first rule ---- */
+
+/* Bars that enter balls: into one, through two, aslant, and one that enters nothing. */
+static void entering(test_scene *s) {
+    static const double bars[4][6] = {{-2, 0.3, 0.2, 1.6, 0.15, 0.12},
+                                      {0, -0.4, 0.5, 2.2, 0.12, 0.12},
+                                      {0.9, 1.1, 0, 0.12, 0.9, 0.2},
+                                      {0.3, 1.7, 0, 0.5, 0.1, 0.1}};
+    static const float corners[24] = {-1, -1, -1, 1, -1, -1, -1, 1, -1, 1, 1, -1,
+                                      -1, -1, 1,  1, -1, 1,  -1, 1, 1,  1, 1, 1};
+    static const uint32_t sides[36] = {0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4,
+                                       2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4, 6, 1, 3, 5, 3, 7, 5};
+    make_ball(s, add_object(s, true, 0.3, 0.5, 0.9, 0.3), -0.8, 0, 0, 0.8, 1);
+    make_ball(s, add_object(s, true, 0.9, 0.5, 0.3, 0.3), 0.9, 0.1, 0, 0.9, 1);
+    for (int i = 0; i < 4; ++i) {
+        ref_object *o = add_object(s, false, 0.2 * i + 0.3, 0.9 - 0.2 * i, 0.4, 1);
+        o->positions = corners;
+        o->indices = sides;
+        o->vertex_count = 8;
+        o->triangle_count = 12;
+        for (int k = 0; k < 3; ++k) {
+            o->model[5 * k] = bars[i][3 + k];
+            o->model[12 + k] = bars[i][k];
+        }
+        o->model[1] = 0.2 * i;
+    }
+    s->scene.enter_strength = 0.7;
+    s->scene.enter_reach = 0.35;
+}
+
+static void test_entering_matches_reference(void **state) {
+    static const char *const modes[3] = {"implicit", "explicit", "layers 2"};
+    static const ref_interior interiors[3] = {REF_INTERIOR_IMPLICIT, REF_INTERIOR_EXPLICIT, REF_INTERIOR_LAYERS};
+    static ref_pixel truth[240 * 240];
+    static unsigned char picture[240 * 240 * 4], plain[240 * 240 * 4];
+    (void)state;
+    harness_target(&desktop, 240, 240);
+    for (int mode = 0; mode < 3; ++mode) {
+        char label[80];
+        test_scene s;
+        init_scene(&s, 240);
+        entering(&s);
+        s.scene.interior = interiors[mode];
+        s.scene.layers = mode == 2 ? 2 : 0;
+        s.scene.blending = REF_BLEND_OVER;
+        finish_scene(&s);
+        assert_true(ref_render(&s.scene, truth));
+        harness_clear(&desktop, s.scene.background, 1.0f);
+        harness_draw(&desktop, &s.scene, s.objects, s.count, NULL, picture);
+        snprintf(label, sizeof label, "entering, %s", modes[mode]);
+        harness_check(&desktop, label, &s.scene, truth, picture);
+        s.scene.enter_reach = 0;
+        harness_clear(&desktop, s.scene.background, 1.0f);
+        harness_draw(&desktop, &s.scene, s.objects, s.count, NULL, plain);
+        size_t changed = 0;
+        for (size_t i = 0; i < sizeof picture; ++i)
+            changed += picture[i] != plain[i];
+        assert_true(changed > 1000);
+        drop_scene(&s);
+    }
+}
+
+static void thin_line(tr_frame *frame) {
+    frame->enter_line = 3.0f;
+    frame->outline_color[0] = 1.0f;
+}
+
+/* The curve as a line: ink where the plain picture has none, in a narrow band. */
+static void test_curve_as_a_line(void **state) {
+    static unsigned char picture[240 * 240 * 4];
+    harness_options options = {0, 0, NULL, NULL, NULL, NULL, 0, thin_line};
+    test_scene s;
+    size_t ink = 0, other = 0;
+    (void)state;
+    init_scene(&s, 240);
+    entering(&s);
+    for (size_t i = 0; i < s.count; ++i) /* no red but the line's */
+        s.truths[i].color[0] = 0;
+    s.scene.background[0] = 0;
+    s.scene.enter_strength = 0;
+    finish_scene(&s);
+    harness_target(&desktop, 240, 240);
+    harness_clear(&desktop, s.scene.background, 1.0f);
+    harness_draw(&desktop, &s.scene, s.objects, s.count, &options, picture);
+    for (size_t i = 0; i < 240 * 240; ++i) {
+        ink += picture[4 * i] > 100;
+        other += picture[4 * i] > 0 && picture[4 * i] < 100;
+    }
+    printf("    %zu pixels of ink, %zu mixed\n", ink, other);
+    assert_true(ink > 150 && ink < 3000 && other == 0);
+    drop_scene(&s);
+}
+
+/* One probe: half a pixel off its place, the distance differs by at most 0.03 of these scenes' units. */
+static void check_entering(const test_scene *s, const probe_hodges_view *v, int index) {
+    const probe_hodges *place = &v->probes[index];
+    size_t pixel = pixel_at(place->u, place->v);
+    const ref_object *front = place->answer.front ? painted(s, place->answer.front) : NULL;
+    const ref_object *solid = painted(s, place->answer.behind);
+    double slack = 0.03 * v->strength / v->reach * 255 + 2;
+    for (size_t k = 0; k < 3; ++k) {
+        double found = drawn[4 * pixel + k], truth = 255 * truth_at[pixel].color[k];
+        double color = 255 * solid->color[k] * place->factor;
+        if (front)
+            color = front->alpha * 255 * front->color[k] + (1 - front->alpha) * color;
+        if (fabs(truth - color) > slack || fabs(found - truth) > 2)
+            fail_msg("%s, probe %d: channel %zu is %.0f, by the reference %.1f, should be %.1f", v->name, index, k,
+                     found, truth, color);
+    }
+}
+
+static void test_probes_of_entering(void **state) {
+    int checked = 0;
+    (void)state;
+    harness_target(&desktop, PROBE_SIZE, PROBE_SIZE);
+    for (size_t i = 0; i < PROBE_COUNT(probe_hodges_scenes); ++i) {
+        const probe_hodges_scene *p = &probe_hodges_scenes[i];
+        test_scene s;
+        open_probe_scene(&s, p->objects, p->object_count);
+        finish_scene(&s);
+        for (int view = 0; view < p->view_count; ++view) {
+            set_probe_camera(&s, &p->views[view].camera);
+            s.scene.enter_strength = p->views[view].strength;
+            s.scene.enter_reach = p->views[view].reach;
+            draw_probes(&s);
+            for (int q = 0; q < p->views[view].probe_count; ++q, ++checked)
+                check_entering(&s, &p->views[view], q);
+        }
+        drop_scene(&s);
+    }
+    printf("    %d probes\n", checked);
+    assert_true(checked >= 20);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_probes_of_layers),       cmocka_unit_test(test_probes_of_groups),
-        cmocka_unit_test(test_probes_of_methods),      cmocka_unit_test(test_layers_and_groups_match_reference),
-        cmocka_unit_test(test_models_match_reference), cmocka_unit_test(test_draw_order_changes_nothing),
+        cmocka_unit_test(test_probes_of_layers),
+        cmocka_unit_test(test_probes_of_groups),
+        cmocka_unit_test(test_probes_of_methods),
+        cmocka_unit_test(test_probes_of_entering),
+        cmocka_unit_test(test_entering_matches_reference),
+        cmocka_unit_test(test_curve_as_a_line),
+        cmocka_unit_test(test_layers_and_groups_match_reference),
+        cmocka_unit_test(test_models_match_reference),
+        cmocka_unit_test(test_draw_order_changes_nothing),
     };
     return cmocka_run_group_tests_name("gl_layers", tests, open_desktop, close_desktop);
 }

@@ -521,6 +521,7 @@ static void test_other_calls_leave_state(void **state) {
     harness h;
     hostile_names names;
     int count;
+    static float segments[20 * 6];
     (void)state;
     is_es = false;
     version = 450;
@@ -537,6 +538,7 @@ static void test_other_calls_leave_state(void **state) {
         assert_non_null(tr_glsl(tr, TR_FRAGMENT, TR_RULE_LAYER, &count));
         assert_int_equal(tr_prepare_program(tr, names.program), TR_OK);
         assert_int_equal(tr_prepare_program(tr, 987654), TR_INVALID_ARGUMENT);
+        assert_int_equal(tr_set_crossings(tr, segments, round), TR_OK);
         tr_release(tr);
         tr_destroy(tr);
         snapshot after = take_snapshot();

@@ -157,6 +157,7 @@ FAKE(GetProgramiv, (U a, U b, I *c), (void)a; (void)b; *c = driver.fail_compile 
 FAKE(GetShaderiv, (U a, U b, I *c), (void)a; (void)b; *c = driver.fail_compile != 1;)
 FAKE(LinkProgram, (U a), (void)a;)
 FAKE(PolygonMode, (U a, U b), (void)a; (void)b;)
+FAKE(PixelStorei, (U a, I b), (void)a; (void)b;)
 FAKE(ReadBuffer, (U a), (void)a;)
 FAKE(ShaderSource, (U a, I b, const char *const *c, const I *d), (void)a; (void)b; (void)c; (void)d;)
 FAKE(TexImage2D, (U a, I b, I c, I d, I e, I f, U g, U h, const void *i), (void)a; (void)b; (void)c; (void)d; (void)e;
@@ -166,6 +167,7 @@ FAKE(TexImage3D, (U a, I b, I c, I d, I e, I f, I g, U h, U i, const void *j), (
 FAKE(TexParameteri, (U a, U b, I c), (void)a; (void)b; (void)c;)
 FAKE(Uniform1i, (I a, I b), (void)a; (void)b;)
 FAKE(Uniform1ui, (I a, U b), (void)a; (void)b;)
+FAKE(Uniform2i, (I a, I b, I c), (void)a; (void)b; (void)c;)
 FAKE(Uniform2f, (I a, float b, float c), (void)a; (void)b; (void)c;)
 FAKE(Uniform4fv, (I a, I b, const float *c), (void)a; (void)b; (void)c;)
 FAKE(UniformBlockBinding, (U a, U b, U c), (void)a; (void)b; (void)c;)
@@ -858,28 +860,28 @@ typedef struct mode {
 } mode;
 
 static const mode modes[] = {
-    {"opaque alone", 3, 0, 0, 0, 0, TR_INTERIOR_IMPLICIT, 0, 0, 0, 2, 291, 8},
-    {"one object, implicit", 3, 1, 0, 0, 0, TR_INTERIOR_IMPLICIT, 0, 0, 0, 4, 424, 16},
-    {"one object, explicit", 3, 1, 0, 0, 0, TR_INTERIOR_EXPLICIT, 0, 0, 0, 4, 424, 16},
-    {"implicit", 3, 4, 0, 0, 0, TR_INTERIOR_IMPLICIT, 0, 0, 0, 5, 491, 20},
-    {"as published", 3, 4, 0, 0, 0, TR_INTERIOR_IMPLICIT_PUBLISHED, 0, 0, 0, 5, 491, 20},
-    {"explicit", 3, 4, 0, 0, 0, TR_INTERIOR_EXPLICIT, 0, 0, 0, 5, 491, 20},
-    {"mixed", 3, 4, 0, 0, 2, TR_INTERIOR_IMPLICIT, 0, 0, 0, 5, 491, 21},
-    {"with sheets", 3, 4, 2, 0, 0, TR_INTERIOR_IMPLICIT, 0, 0, 0, 8, 689, 20},
-    {"nothing opaque", 0, 4, 0, 0, 0, TR_INTERIOR_IMPLICIT, 0, 0, 0, 3, 357, 12},
-    {"one object, layers(4)", 3, 1, 0, 0, 0, TR_INTERIOR_LAYERS, 4, 0, 0, 7, 625, 40},
-    {"layers(1)", 3, 4, 0, 0, 0, TR_INTERIOR_LAYERS, 1, 0, 0, 5, 491, 20},
-    {"layers(2)", 3, 4, 0, 0, 0, TR_INTERIOR_LAYERS, 2, 0, 0, 7, 625, 28},
-    {"layers(4)", 3, 4, 0, 0, 0, TR_INTERIOR_LAYERS, 4, 0, 0, 11, 893, 44},
-    {"layers(8)", 3, 9, 0, 0, 0, TR_INTERIOR_LAYERS, 8, 0, 0, 19, 1429, 76},
-    {"groups of 2", 3, 4, 0, 2, 0, TR_INTERIOR_IMPLICIT, 0, 0, 0, 7, 625, 33},
-    {"groups of 4", 3, 4, 0, 4, 0, TR_INTERIOR_IMPLICIT, 0, 0, 0, 11, 893, 57},
-    {"groups of 4, mixed", 3, 4, 0, 4, 2, TR_INTERIOR_IMPLICIT, 0, 0, 0, 11, 893, 57},
-    {"groups of 9, 3 shown", 3, 9, 0, 9, 0, TR_INTERIOR_IMPLICIT, 3, 0, 0, 9, 759, 45},
-    {"creases and outlines", 3, 4, 0, 0, 0, TR_INTERIOR_IMPLICIT, 0, 3, 0, 10, 825, 24},
-    {"all lines", 3, 4, 0, 0, 0, TR_INTERIOR_IMPLICIT, 0, 15, 0, 13, 1023, 24},
-    {"phantom lines alone", 3, 4, 0, 0, 0, TR_INTERIOR_IMPLICIT, 0, 4, 0, 7, 623, 20},
-    {"2 by 2 texels", 3, 4, 0, 0, 0, TR_INTERIOR_IMPLICIT, 0, 0, 2, 5, 491, 80},
+    {"opaque alone", 3, 0, 0, 0, 0, TR_INTERIOR_IMPLICIT, 0, 0, 0, 2, 303, 8},
+    {"one object, implicit", 3, 1, 0, 0, 0, TR_INTERIOR_IMPLICIT, 0, 0, 0, 4, 442, 16},
+    {"one object, explicit", 3, 1, 0, 0, 0, TR_INTERIOR_EXPLICIT, 0, 0, 0, 4, 442, 16},
+    {"implicit", 3, 4, 0, 0, 0, TR_INTERIOR_IMPLICIT, 0, 0, 0, 5, 512, 20},
+    {"as published", 3, 4, 0, 0, 0, TR_INTERIOR_IMPLICIT_PUBLISHED, 0, 0, 0, 5, 512, 20},
+    {"explicit", 3, 4, 0, 0, 0, TR_INTERIOR_EXPLICIT, 0, 0, 0, 5, 512, 20},
+    {"mixed", 3, 4, 0, 0, 2, TR_INTERIOR_IMPLICIT, 0, 0, 0, 5, 512, 21},
+    {"with sheets", 3, 4, 2, 0, 0, TR_INTERIOR_IMPLICIT, 0, 0, 0, 8, 719, 20},
+    {"nothing opaque", 0, 4, 0, 0, 0, TR_INTERIOR_IMPLICIT, 0, 0, 0, 3, 372, 12},
+    {"one object, layers(4)", 3, 1, 0, 0, 0, TR_INTERIOR_LAYERS, 4, 0, 0, 7, 652, 40},
+    {"layers(1)", 3, 4, 0, 0, 0, TR_INTERIOR_LAYERS, 1, 0, 0, 5, 512, 20},
+    {"layers(2)", 3, 4, 0, 0, 0, TR_INTERIOR_LAYERS, 2, 0, 0, 7, 652, 28},
+    {"layers(4)", 3, 4, 0, 0, 0, TR_INTERIOR_LAYERS, 4, 0, 0, 11, 932, 44},
+    {"layers(8)", 3, 9, 0, 0, 0, TR_INTERIOR_LAYERS, 8, 0, 0, 19, 1492, 76},
+    {"groups of 2", 3, 4, 0, 2, 0, TR_INTERIOR_IMPLICIT, 0, 0, 0, 7, 652, 33},
+    {"groups of 4", 3, 4, 0, 4, 0, TR_INTERIOR_IMPLICIT, 0, 0, 0, 11, 932, 57},
+    {"groups of 4, mixed", 3, 4, 0, 4, 2, TR_INTERIOR_IMPLICIT, 0, 0, 0, 11, 932, 57},
+    {"groups of 9, 3 shown", 3, 9, 0, 9, 0, TR_INTERIOR_IMPLICIT, 3, 0, 0, 9, 792, 45},
+    {"creases and outlines", 3, 4, 0, 0, 0, TR_INTERIOR_IMPLICIT, 0, 3, 0, 10, 861, 24},
+    {"all lines", 3, 4, 0, 0, 0, TR_INTERIOR_IMPLICIT, 0, 15, 0, 13, 1068, 24},
+    {"phantom lines alone", 3, 4, 0, 0, 0, TR_INTERIOR_IMPLICIT, 0, 4, 0, 7, 650, 20},
+    {"2 by 2 texels", 3, 4, 0, 0, 0, TR_INTERIOR_IMPLICIT, 0, 0, 2, 5, 512, 80},
 };
 
 static void test_modes(void **state) {
@@ -989,7 +991,7 @@ static void test_bad_scenes_and_wishes(void **state) {
         {TR_INTERIOR_LAYERS, TR_BLENDING_OVER, 0, 0, 0, 0},   {TR_INTERIOR_LAYERS, TR_BLENDING_OVER, 0, 9, 0, 0},
         {TR_INTERIOR_IMPLICIT, TR_BLENDING_OVER, 0, 9, 0, 0}, {(tr_interior)5, TR_BLENDING_OVER, 0, 0, 0, 0},
         {TR_INTERIOR_IMPLICIT, (tr_blending)3, 0, 0, 0, 0},   {TR_INTERIOR_IMPLICIT, TR_BLENDING_OVER, 16, 0, 0, 0},
-        {TR_INTERIOR_IMPLICIT, TR_BLENDING_OVER, 0, 0, 4, 0}, {TR_INTERIOR_IMPLICIT, TR_BLENDING_OVER, 0, 0, 0, 5}};
+        {TR_INTERIOR_IMPLICIT, TR_BLENDING_OVER, 0, 0, 8, 0}, {TR_INTERIOR_IMPLICIT, TR_BLENDING_OVER, 0, 0, 0, 5}};
     static const tr_object good[] = {{0xfffffeu, TR_TRANSPARENT | TR_GROUP(127)}, {0xffffffffu, TR_OPAQUE}};
     tr_wishes wishes = {0};
     tr_plan plan;
@@ -1024,7 +1026,8 @@ static void test_many_modes_on_one_context(void **state) {
         frame.wishes.interior = i % 5 == 4 ? TR_INTERIOR_LAYERS : (tr_interior)(i % 4);
         frame.wishes.layers = i % 5 == 4 ? 1 + i % TR_MAX_LAYERS : 0;
         frame.wishes.blending = (tr_blending)(i / 3 % 3);
-        frame.wishes.options = i / 7 % 4;
+        frame.wishes.options = i / 7 % 8;
+        frame.enter_distance = 1;
         frame.wishes.supersample = i / 11 % 5;
         frame.wishes.lines = i % 16;
         run_frame(tr, &frame);
@@ -1053,6 +1056,114 @@ static void test_plan_prints_like_snprintf(void **state) {
     assert_memory_equal(part, whole, 9);
     assert_int_equal(part[9], 0);
     assert_int_equal(part[10], 'x');
+}
+
+/* ---- where surfaces cross ---- */
+
+/* Two triangles that cross in a known segment, and what gives none. */
+static void test_crossings(void **state) {
+    static const float flat[] = {-1, -1, 0, 1, -1, 0, 0, 1, 0}; /* in z = 0 */
+    static const float upright[] = {0, -0.5f, -1, 0, -0.5f, 1, 0, 3, 0};
+    static const float above[] = {0, 0, 0.1f, 0, 1, 0.1f, 1, 0, 1};
+    static const float touching[] = {0, 0, 0, 1, 0, 1, 0, 1, 1}; /* a corner on the plane: before it */
+    static const uint32_t index[] = {0, 1, 2};
+    static const uint32_t bad[] = {0, 1, 3};
+    float segment[6], nan_point[9];
+    tr_mesh a = {flat, index, 3, 3, {0}}, b = {upright, index, 3, 3, {0}};
+    (void)state;
+    assert_int_equal(tr_crossings(&a, &b, 1, NULL, 0), 1);
+    memset(segment, 0x55, sizeof segment);
+    assert_int_equal(tr_crossings(&a, &b, 1, segment, 1), 1);
+    double low = fmin((double)segment[1], (double)segment[4]), high = fmax((double)segment[1], (double)segment[4]);
+    assert_true(fabs(low + 0.5) < 1e-6 &&
+                fabs(high - 1) < 1e-6); /* from the lower side of one to the tip of the other */
+    assert_true(segment[0] == 0 && segment[3] == 0 && segment[2] == 0 && segment[5] == 0);
+    float moved[16] = {2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 5, 0, 0, 1};
+    memcpy(a.model, moved, sizeof moved);
+    assert_int_equal(tr_crossings(&a, &b, 1, NULL, 0), 0);
+    memcpy(b.model, moved, sizeof moved);
+    assert_int_equal(tr_crossings(&a, &b, 1, segment, 1), 1);
+    assert_true(fabsf(segment[0] - 5) < 1e-5f);
+    memset(a.model, 0, sizeof a.model);
+    memset(b.model, 0, sizeof b.model);
+    const float *none[] = {above, touching, flat};
+    for (int i = 0; i < 3; ++i) {
+        b.positions = none[i];
+        assert_int_equal(tr_crossings(&a, &b, 1, NULL, 0), 0);
+    }
+    b.positions = upright;
+    b.indices = bad;
+    assert_int_equal(tr_crossings(&a, &b, 1, NULL, 0), 0);
+    b.indices = index;
+    for (int i = 0; i < 9; ++i) {
+        memcpy(nan_point, upright, sizeof upright);
+        nan_point[i] = i % 2 ? NAN : INFINITY;
+        b.positions = nan_point;
+        assert_int_equal(tr_crossings(&a, &b, 1, NULL, 0), 0);
+        assert_int_equal(tr_crossings(&b, &a, 1, NULL, 0), 0);
+    }
+    assert_int_equal(tr_crossings(&a, NULL, 0, NULL, 0), 0);
+    assert_int_equal(tr_crossings(NULL, &b, 1, NULL, 0), SIZE_MAX);
+    assert_int_equal(tr_crossings(&a, NULL, 1, NULL, 0), SIZE_MAX);
+    b.positions = NULL;
+    assert_int_equal(tr_crossings(&a, &b, 1, NULL, 0), SIZE_MAX);
+}
+
+/* Many triangles in any place: the same pairs as trying all by a mesh of one triangle at a time. */
+static void test_crossings_by_extent(void **state) {
+    enum { COUNT = 60 };
+    static float places[2][COUNT * 9];
+    static uint32_t indices[COUNT * 3];
+    uint32_t random = 99;
+    size_t alone = 0;
+    (void)state;
+    for (int i = 0; i < COUNT * 3; ++i)
+        indices[i] = (uint32_t)i;
+    for (int m = 0; m < 2; ++m)
+        for (int t = 0; t < COUNT; ++t)
+            for (int k = 0; k < 9; ++k) {
+                random = random * 1664525u + 1013904223u;
+                places[m][9 * t + k] =
+                    (float)(random >> 8) / 16777216.0f * (t % 7 == 0 ? 2.0f : 0.5f) + (float)(t % 5) * 0.3f;
+            }
+    tr_mesh a = {places[0], indices, COUNT * 3, COUNT * 3, {0}}, b = {places[1], indices, COUNT * 3, COUNT * 3, {0}};
+    size_t all = tr_crossings(&a, &b, 1, NULL, 0);
+    for (int i = 0; i < COUNT; ++i)
+        for (int j = 0; j < COUNT; ++j) {
+            tr_mesh one = {places[0] + 9 * i, indices, 3, 3, {0}}, other = {places[1] + 9 * j, indices, 3, 3, {0}};
+            alone += tr_crossings(&one, &other, 1, NULL, 0);
+        }
+    assert_true(all > 50);
+    assert_int_equal(all, alone);
+}
+
+static void test_crossings_are_kept(void **state) {
+    static float segments[6 * 3];
+    tr_desc desc = make_desc(TR_STATE_RESTORE);
+    tr_frame frame = make_frame(1, 1);
+    (void)state;
+    reset_driver();
+    tr_context *tr = tr_create(&desc, NULL);
+    assert_int_equal(tr_set_crossings(NULL, segments, 1), TR_INVALID_ARGUMENT);
+    assert_int_equal(tr_set_crossings(tr, NULL, 1), TR_INVALID_ARGUMENT);
+    assert_int_equal(tr_set_crossings(tr, segments, 10000000), TR_TOO_LARGE);
+    assert_int_equal(tr_set_crossings(tr, segments, 3), TR_OK);
+    assert_int_equal(tr_get_info(tr).bytes, 1024 * 16);
+    frame.wishes.options = TR_WISH_ENTERING;
+    assert_int_equal(tr_begin(tr, &frame), TR_INVALID_ARGUMENT); /* over which distance? */
+    frame.enter_distance = NAN;
+    assert_int_equal(tr_begin(tr, &frame), TR_INVALID_ARGUMENT);
+    frame.enter_distance = 1;
+    assert_int_equal(tr_begin(tr, &frame), TR_OK);
+    assert_int_equal(tr_set_crossings(tr, segments, 3), TR_WRONG_ORDER);
+    assert_int_equal(tr_end(tr), TR_OK);
+    run_frame(tr, &frame);
+    assert_int_equal(tr_release(tr), TR_OK);
+    assert_int_equal(tr_get_info(tr).bytes, 1024 * 16); /* the host's data outlive a pause */
+    blocks_left = 0;
+    assert_int_equal(tr_set_crossings(tr, segments, 3), TR_OUT_OF_MEMORY);
+    tr_destroy(tr);
+    assert_nothing_left();
 }
 
 static void test_objects_and_passes(void **state) {
@@ -1147,6 +1258,9 @@ int main(void) {
         cmocka_unit_test(test_groups_are_counted),
         cmocka_unit_test(test_bad_scenes_and_wishes),
         cmocka_unit_test(test_many_modes_on_one_context),
+        cmocka_unit_test(test_crossings),
+        cmocka_unit_test(test_crossings_by_extent),
+        cmocka_unit_test(test_crossings_are_kept),
         cmocka_unit_test(test_plan_prints_like_snprintf),
         cmocka_unit_test(test_objects_and_passes),
         cmocka_unit_test(test_view_alpha),

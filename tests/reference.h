@@ -29,6 +29,9 @@
  *    the rules of interiors. A coincident face of the same group is part of the surface; one of another group ends the
  *    chain of implicit interiors. Further faces of objects in the chain end an explicit chain, and are not there for an
  *    implicit one. Of faces that coincide behind the first those of the group count.
+ *  - "Strengthen the shade where an opaque object enters a non-opaque object" (D02 3): the opaque colour is multiplied by
+ *    1 - strength * max(0, 1 - d / reach), d the straight distance in the world to the nearest of the curves where that
+ *    object's own surface crosses that of any transparent one, seen or not; alike on both sides of the curve.
  *  - A method per object: that of the front-most face's object decides for the pixel.
  *  - Clipping at the near and far plane is that of GL: a point on a plane is inside, nothing is capped.
  *  - A pixel centre exactly on an edge belongs to one of the triangles that share it: the one that also covers the
@@ -86,8 +89,9 @@ typedef struct ref_scene {
     double cool_mix, warm_mix; /* how much of the object's colour goes into the cool and the warm end */
     int layers;                /* REF_INTERIOR_LAYERS: how many; else the longest chain of a group, 0: REF_MAX_LAYERS */
     double group_distance;     /* between two of a group along the view, world units; 0: any */
-    bool use_blend_color,
-        srgb; /* blend_color in place of the background behind glass; blend light, not display values */
+    double enter_strength, enter_reach; /* Hodges' first rule; reach in world units, 0: off */
+    bool use_blend_color;               /* in place of the background behind glass */
+    bool srgb;                          /* blend light, not display values */
     double blend_color[3];
 } ref_scene;
 
@@ -249,7 +253,9 @@ typedef struct ref_i_world {
     size_t *bin_first;
     uint32_t *bin_items;
     int bins_x, bins_y;
-    bool brute; /* ask every triangle instead of those in the bin */
+    bool brute;      /* ask every triangle instead of those in the bin */
+    double **curves; /* by object, six numbers a segment: where it crosses transparent ones */
+    size_t *curve_counts;
     ref_i_hit *hits;
     size_t hit_count, hit_capacity;
 } ref_i_world;
@@ -656,6 +662,121 @@ static inline ref_i_decision ref_i_decide(const ref_i_world *world) {
     return d;
 }
 
+/* ---- where opaque objects enter transparent ones ---- */
+
+static inline void ref_i_world_triangle(const ref_object *object, size_t triangle, double out[3][3]) {
+    for (size_t i = 0; i < 3; ++i) {
+        const float *p = object->positions + 3 * (size_t)object->indices[3 * triangle + i];
+        const double *m = object->model;
+        for (int r = 0; r < 3; ++r)
+            out[i][r] = m[r] * (double)p[0] + m[4 + r] * (double)p[1] + m[8 + r] * (double)p[2] + m[12 + r];
+    }
+}
+
+/* Six times the volume that d spans with the triangle abc. */
+static inline double ref_i_volume(const double a[3], const double b[3], const double c[3], const double d[3]) {
+    double e[3][3];
+    const double *corners[3] = {a, b, c};
+    for (int i = 0; i < 3; ++i)
+        for (int k = 0; k < 3; ++k)
+            e[i][k] = corners[i][k] - d[k];
+    return ref_i_det3(e[0], e[1], e[2]);
+}
+
+/* Adds the point where the segment pq passes through the triangle t. */
+static inline int ref_i_pierce(const double p[3], const double q[3], double t[3][3], double points[][3], int count) {
+    double before = ref_i_volume(t[0], t[1], t[2], p), after = ref_i_volume(t[0], t[1], t[2], q);
+    int positive = 0, negative = 0;
+    if ((before > 0) == (after > 0))
+        return count;
+    for (int i = 0; i < 3; ++i) {
+        double v = ref_i_volume(p, q, t[i], t[(i + 1) % 3]);
+        positive += v > 0;
+        negative += v < 0;
+    }
+    if (positive && negative)
+        return count;
+    for (int k = 0; k < 3; ++k)
+        points[count][k] = p[k] + before / (before - after) * (q[k] - p[k]);
+    return count + 1;
+}
+
+/* The segment in which two triangles cross: the farthest two of the points where an edge of one pierces the other. */
+static inline bool ref_i_cross(double a[3][3], double b[3][3], double out[6]) {
+    double points[6][3], longest = 0;
+    int count = 0;
+    for (int i = 0; i < 3; ++i) {
+        count = ref_i_pierce(a[i], a[(i + 1) % 3], b, points, count);
+        count = ref_i_pierce(b[i], b[(i + 1) % 3], a, points, count);
+    }
+    for (int i = 0; i < count; ++i)
+        for (int j = 0; j < i; ++j) {
+            double square = 0;
+            for (int k = 0; k < 3; ++k)
+                square += (points[i][k] - points[j][k]) * (points[i][k] - points[j][k]);
+            if (square <= longest)
+                continue;
+            longest = square;
+            memcpy(out, points[i], sizeof points[i]);
+            memcpy(out + 3, points[j], sizeof points[j]);
+        }
+    return longest > 0;
+}
+
+static inline bool ref_i_apart(double a[3][3], double b[3][3]) {
+    for (int k = 0; k < 3; ++k)
+        if (fmax(fmax(a[0][k], a[1][k]), a[2][k]) < fmin(fmin(b[0][k], b[1][k]), b[2][k]) ||
+            fmax(fmax(b[0][k], b[1][k]), b[2][k]) < fmin(fmin(a[0][k], a[1][k]), a[2][k]))
+            return true;
+    return false;
+}
+
+static inline bool ref_i_find_curve(ref_i_world *world, size_t o, const ref_object *other) {
+    const ref_object *object = &world->scene->objects[o];
+    for (size_t i = 0; i < object->triangle_count; ++i)
+        for (size_t j = 0; j < other->triangle_count; ++j) {
+            double a[3][3], b[3][3], segment[6];
+            ref_i_world_triangle(object, i, a);
+            ref_i_world_triangle(other, j, b);
+            if (ref_i_apart(a, b) || !ref_i_cross(a, b, segment))
+                continue;
+            double *grown = realloc(world->curves[o], (world->curve_counts[o] + 1) * sizeof segment);
+            if (!grown)
+                return false;
+            world->curves[o] = grown;
+            memcpy(grown + 6 * world->curve_counts[o]++, segment, sizeof segment);
+        }
+    return true;
+}
+
+static inline bool ref_i_find_curves(ref_i_world *world) {
+    const ref_scene *scene = world->scene;
+    bool ok = true;
+    world->curves = calloc(scene->object_count + 1, sizeof *world->curves);
+    world->curve_counts = calloc(scene->object_count + 1, sizeof *world->curve_counts);
+    if (!world->curves || !world->curve_counts)
+        return false;
+    for (size_t o = 0; o < scene->object_count && scene->enter_reach > 0; ++o)
+        for (size_t other = 0; ok && other < scene->object_count; ++other)
+            if (!scene->objects[o].transparent && scene->objects[other].transparent)
+                ok = ref_i_find_curve(world, o, &scene->objects[other]);
+    return ok;
+}
+
+/* The factor of an opaque point's colour. */
+static inline double ref_i_entering(const ref_i_world *world, const ref_i_hit *hit) {
+    const ref_i_triangle *t = &world->triangles[hit->triangle];
+    double corners[3][3], point[3] = {0, 0, 0};
+    if (!(world->scene->enter_reach > 0))
+        return 1;
+    ref_i_world_triangle(ref_i_object_of(world, t), t->index, corners);
+    for (int i = 0; i < 3; ++i)
+        for (int k = 0; k < 3; ++k)
+            point[k] += hit->weight[i] * corners[i][k];
+    double d = ref_distance_to_segments(point, world->curves[t->object], world->curve_counts[t->object], false);
+    return 1 - world->scene->enter_strength * fmax(0, 1 - d / world->scene->enter_reach);
+}
+
 /* ---- colours ---- */
 
 /* The interpolated normal in the world by the inverse transpose of the model matrix: its cofactors over its
@@ -724,6 +845,8 @@ static inline void ref_i_compose(const ref_i_world *world, const ref_i_decision 
     if (d->opaque) {
         out->opaque_object = ref_i_id(world, d->opaque);
         ref_i_color(world, d->opaque, below);
+        for (int k = 0; k < 3; ++k)
+            below[k] *= ref_i_entering(world, d->opaque);
     }
     out->front_object = d->front ? ref_i_id(world, d->front) : 0;
     out->layer_count = d->layer_count;
@@ -1017,12 +1140,16 @@ static inline bool ref_i_make_world(ref_i_world *world) {
                 ++world->triangle_count;
         }
     }
-    return ref_i_fill_bins(world);
+    return ref_i_fill_bins(world) && ref_i_find_curves(world);
 }
 
 static inline void ref_i_free_world(ref_i_world *world) {
     for (size_t o = 0; world->vertices && o < world->scene->object_count; ++o)
         free(world->vertices[o]);
+    for (size_t o = 0; world->curves && o < world->scene->object_count; ++o)
+        free(world->curves[o]);
+    free(world->curves);
+    free(world->curve_counts);
     free(world->vertices);
     free(world->triangles);
     free(world->bin_first);

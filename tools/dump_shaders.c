@@ -56,7 +56,7 @@ static bool dump_variants(const char *folder, int version, bool reversed, tr_sta
                                             {TR_I_LINE, 1, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0},
                                             {TR_I_LINE, 2, 1, 1, 0, 0, 0, 0, 0, 0, 1, 0, 1, 1},
                                             {TR_I_LINE, 1, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 1, 1},
-                                            {TR_I_LINE, 2, 1, 1, 0, 0, 0, 0, 0, 0, 1, 1, 1, 0},
+                                            {TR_I_LINE, 2, 1, 1, 0, 0, 0, 0, 0, 0, 1, 1, 1, 2},
                                             {TR_I_LINE, 2, 0, 1, 0, 0, 0, 0, 0, 0, 1, 2, 1, 1}};
     bool ok = true;
     for (size_t i = 0; ok && i < sizeof variants / sizeof variants[0]; ++i) {
