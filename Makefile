@@ -46,7 +46,7 @@ clang_format := $(firstword $(shell command -v clang-format-14 clang-format) cla
 build = @+$(MAKE) --no-print-directory $(if $(filter -j% --jobserver%,$(MAKEFLAGS)),,-j$(jobs))
 
 .PHONY: help demo test deps shaders check-generated check-shaders headers-alone sanitize valgrind fuzz format \
-        check-format bench ci install uninstall clean run-tests
+        check-format bench web ci install uninstall clean run-tests
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -92,6 +92,9 @@ check-format: ## fail if a C file is not laid out by .clang-format
 
 bench: $(benchmarks) ## run the benchmarks; tables and build/bench/*.csv
 	@set -e; for program in $^; do BENCH=$(BENCH) $$program; done
+
+web: ## the smallest example for WebGL 2, by emscripten; chromium shows it and it is compared with GL 3.3
+	@tools/check_web build/web
 
 mutants: $(glad) ## break named lines one at a time and show that a test notices
 	@tools/mutants build/mutants
