@@ -1481,43 +1481,114 @@ static void sil_i_sort_words(uint64_t *words, uint64_t *spare, size_t count, int
     }
 }
 
-/* Numbers faces along a space-filling curve: neighbours are then close in memory, and any 32 that follow each other are
-   a small patch, a leaf of the hierarchy. Faces at the same place stay in the order of their vertices. */
+/* A face where it is to be numbered: middle and unit normal, both within -1 .. 1. */
+typedef struct sil_i_seat {
+    float key[6];
+    uint32_t face;
+} sil_i_seat;
+
+static int sil_i_seat_before(const sil_i_seat *a, const sil_i_seat *b, int k) {
+    return a->key[k] < b->key[k] || (!(b->key[k] < a->key[k]) && a->face < b->face);
+}
+
+/* Moves the `nth` of the seats by key k to its place, smaller ones before it. Pivots are taken from anywhere, so that no
+   order of the faces makes it slow. */
+static void sil_i_select_seat(sil_i_seat *seats, size_t count, size_t nth, int k) {
+    size_t low = 0, high = count;
+    while (high - low > 1) {
+        const uint32_t any = sil_i_hash((uint32_t)low, (uint32_t)high, (uint32_t)nth);
+        const sil_i_seat pivot = seats[low + any % (high - low)];
+        size_t i = low, j = high - 1;
+        for (;;) {
+            sil_i_seat swap;
+            while (sil_i_seat_before(&seats[i], &pivot, k))
+                ++i;
+            while (sil_i_seat_before(&pivot, &seats[j], k))
+                --j;
+            if (i >= j)
+                break;
+            swap = seats[i];
+            seats[i] = seats[j];
+            seats[j] = swap;
+            ++i;
+            --j;
+        }
+        /* None before i is larger than the pivot, none from i on smaller. */
+        if (nth < i)
+            high = i;
+        else
+            low = i > low ? i : low + 1; /* the pivot may be the smallest, and first */
+        if (nth < low)
+            return;
+    }
+}
+
+/* Halves faces again and again, across the widest of the six keys, into runs of a power of two times 32: patches, and
+   nodes of the hierarchy, then hold faces that are close together and look the same way. */
+static void sil_i_divide_seats(sil_i_seat *seats, size_t count) {
+    while (count > 32) {
+        float low[6], high[6];
+        size_t i, half = 32;
+        int k, widest = 0;
+        memcpy(low, seats[0].key, sizeof low);
+        memcpy(high, seats[0].key, sizeof high);
+        for (i = 1; i < count; ++i)
+            for (k = 0; k < 6; ++k) {
+                const float x = seats[i].key[k];
+                low[k] = x < low[k] ? x : low[k];
+                high[k] = x > high[k] ? x : high[k];
+            }
+        for (k = 1; k < 6; ++k)
+            if (high[k] - low[k] > high[widest] - low[widest])
+                widest = k;
+        while (2 * half < count)
+            half *= 2;
+        sil_i_select_seat(seats, count, half, widest);
+        sil_i_divide_seats(seats, half);
+        seats += half;
+        count -= half;
+    }
+}
+
+static void sil_i_seat_set(const sil_mesh *mesh, const uint32_t *corner, sil_i_seat *seat) {
+    const float *a = mesh->rest.position + 3 * (size_t)corner[0], *b = mesh->rest.position + 3 * (size_t)corner[1];
+    const float *c = mesh->rest.position + 3 * (size_t)corner[2];
+    double normal[3], error, length;
+    int k;
+    sil_i_normal(&mesh->rest, corner, normal, &error);
+    length = sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
+    for (k = 0; k < 3; ++k) {
+        const double middle = ((double)a[k] + (double)b[k] + (double)c[k]) / 3;
+        seat->key[k] = (float)((middle - mesh->rest.center[k]) / mesh->rest.scale);
+        seat->key[3 + k] = length > 0 ? (float)(normal[k] / length) : 0;
+    }
+}
+
+/* Numbers faces so that any 32 that follow each other from a multiple of 32 on are a small patch. Equal faces stay in the
+   order of their vertices. */
 static void sil_i_order_faces(sil_mesh *mesh, sil_i_heap *scratch) {
     const size_t count = mesh->face_count;
-    uint64_t *order = (uint64_t *)sil_i_take(scratch, count, sizeof(uint64_t));
-    uint64_t *spare = (uint64_t *)sil_i_take(scratch, count, sizeof(uint64_t));
-    uint32_t *old = sil_i_take_words(scratch, 4 * count); /* three corners and the source of each */
+    sil_i_seat *seats = (sil_i_seat *)sil_i_take(scratch, count, sizeof *seats);
+    uint32_t *old = sil_i_take_words(scratch, 5 * count); /* three corners, the source and the flags of each */
     size_t f;
-    int k;
     sil_i_shape_box(mesh, &mesh->rest);
     for (f = 0; f < count && !scratch->failed; ++f) {
-        const uint32_t *corner = mesh->corner + 3 * f;
-        const float *a = mesh->rest.position + 3 * (size_t)corner[0], *b = mesh->rest.position + 3 * (size_t)corner[1];
-        const float *c = mesh->rest.position + 3 * (size_t)corner[2];
-        uint32_t code = 0;
-        for (k = 0; k < 3; ++k) {
-            const double middle = ((double)a[k] + (double)b[k] + (double)c[k]) / 3;
-            const double at = ((middle - mesh->rest.center[k]) / mesh->rest.scale + 1) * 511.5;
-            code |= sil_i_spread_bits((uint32_t)(at < 0 ? 0 : at > 1023 ? 1023 : at)) << k;
-        }
-        order[f] = (uint64_t)code << 32 | f;
-        memcpy(old + 4 * f, corner, 3 * sizeof(uint32_t));
-        old[4 * f + 3] = mesh->source[f];
+        seats[f].face = (uint32_t)f;
+        sil_i_seat_set(mesh, mesh->corner + 3 * f, &seats[f]);
+        memcpy(old + 5 * f, mesh->corner + 3 * f, 3 * sizeof(uint32_t));
+        old[5 * f + 3] = mesh->source[f];
+        old[5 * f + 4] = mesh->face_flags[f];
     }
     if (!scratch->failed) {
-        sil_i_sort_words(order, spare, count, 32, 62);
-        for (f = 0; f < count; ++f)
-            ((unsigned char *)spare)[f] = mesh->face_flags[f];
+        sil_i_divide_seats(seats, count);
         for (f = 0; f < count; ++f) {
-            const size_t from = (size_t)(order[f] & 0xffffffffu);
-            memcpy(mesh->corner + 3 * f, old + 4 * from, 3 * sizeof(uint32_t));
-            mesh->source[f] = old[4 * from + 3];
-            mesh->face_flags[f] = ((unsigned char *)spare)[from];
+            const uint32_t *from = old + 5 * (size_t)seats[f].face;
+            memcpy(mesh->corner + 3 * f, from, 3 * sizeof(uint32_t));
+            mesh->source[f] = from[3];
+            mesh->face_flags[f] = (unsigned char)from[4];
         }
     }
-    sil_i_give(&scratch->allocator, order);
-    sil_i_give(&scratch->allocator, spare);
+    sil_i_give(&scratch->allocator, seats);
     sil_i_give(&scratch->allocator, old);
 }
 
