@@ -601,16 +601,17 @@ SIL_DEF sil_result sil_dashes_follow(sil_dashes *dashes, const sil_mesh *mesh, c
 #define SIL_I_INLINE static
 #endif
 
-#define SIL_I_BLOCK 64u    /* faces or edges handled at a time; arrays of them are padded to a multiple of it */
-#define SIL_I_LANES 8u     /* segments whose distances are computed at a time */
-#define SIL_I_LEVELS 12    /* of a tree: 8^12 leaves are more than there can be */
-#define SIL_I_MANY 128u    /* in edge_kinds: the edge has more than two faces, listed in many_* */
-#define SIL_I_LINES 79u    /* the kinds that can be asked for */
-#define SIL_I_FOLDS 48u    /* SIL_CONVEX and SIL_CONCAVE */
-#define SIL_I_TWO_SIDED 1u /* in face_flags */
-#define SIL_I_NO_AREA 2u   /* in face_flags: corners exactly on a line, or nearer to one than t_junction_distance */
-#define SIL_I_PIECE 4u     /* in face_flags: of a face that was cut, not the one whose sign they all take */
-#define SIL_I_BORROWS 6u   /* in face_flags: takes the sign of another face */
+#define SIL_I_BLOCK 64u     /* faces or edges handled at a time; arrays of them are padded to a multiple of it */
+#define SIL_I_LANES 8u      /* segments whose distances are computed at a time */
+#define SIL_I_LEVELS 12     /* of a tree: 8^12 leaves are more than there can be */
+#define SIL_I_MANY 128u     /* in edge_kinds: the edge has more than two faces, listed in many_* */
+#define SIL_I_LINES 79u     /* the kinds that can be asked for */
+#define SIL_I_FOLDS 48u     /* SIL_CONVEX and SIL_CONCAVE */
+#define SIL_I_TWO_SIDED 1u  /* in face_flags */
+#define SIL_I_NO_AREA 2u    /* in face_flags: corners exactly on a line, or nearer to one than t_junction_distance */
+#define SIL_I_PIECE 4u      /* in face_flags: of a face that was cut, not the one whose sign they all take */
+#define SIL_I_BORROWS 6u    /* in face_flags: takes the sign of another face */
+#define SIL_I_NO_SHADOW 32u /* in face_flags, and 64, 128: plainly edge-on along x, y, z in the rest positions */
 #define SIL_I_PI 3.14159265358979323846
 
 /* Positions and what follows from them: one in the mesh (rest), one in a pose that was set. */
@@ -886,7 +887,8 @@ typedef struct sil_i_eye {
     double e[4];
     sil_i_number number[4];
     float plane[4];
-    float limit; /* a face is decided by its float plane where that is further than this from 0 */
+    float limit;    /* a face is decided by its float plane where that is further than this from 0 */
+    unsigned along; /* bits of SIL_I_NO_SHADOW: all axes along which a direction goes; 0 for a point */
     int valid;
 } sil_i_eye;
 
@@ -941,6 +943,20 @@ static int sil_i_exact_sign(const float *a, const float *b, const float *c, cons
     return sil_i_sum_sign(&sum);
 }
 
+static int sil_i_same(float a, float b) {
+    const uint32_t x = sil_i_float_bits(a), y = sil_i_float_bits(b);
+    return x == y || ((x | y) & 0x7fffffffu) == 0;
+}
+
+/* Is the shadow of a face along axis k plainly nothing? Two corners fall together in it, or all three are level. */
+static int sil_i_no_shadow(const float *a, const float *b, const float *c, int k) {
+    const int i = (k + 1) % 3, j = (k + 2) % 3;
+    const int ab[2] = {sil_i_same(a[i], b[i]), sil_i_same(a[j], b[j])};
+    const int ac[2] = {sil_i_same(a[i], c[i]), sil_i_same(a[j], c[j])};
+    return (ab[0] && ab[1]) || (ac[0] && ac[1]) || (sil_i_same(b[i], c[i]) && sil_i_same(b[j], c[j])) ||
+           (ab[0] && ac[0]) || (ab[1] && ac[1]);
+}
+
 /* Are three points on a line: is each coordinate of the face's normal exactly zero? */
 static int sil_i_collinear(const float *a, const float *b, const float *c) {
     sil_i_eye axis;
@@ -978,11 +994,6 @@ static int sil_i_filtered_sign(const float *a, const float *b, const float *c, c
     return det > limit ? 1 : det < -limit ? -1 : 0;
 }
 
-static int sil_i_same(float a, float b) {
-    const uint32_t x = sil_i_float_bits(a), y = sil_i_float_bits(b);
-    return x == y || ((x | y) & 0x7fffffffu) == 0;
-}
-
 /* Is the eye's coordinate exactly that of a corner (or, for a direction, zero)? 0 also where that is hard to tell. */
 static int sil_i_eye_level(const sil_i_eye *eye, int k, float corner) {
     const sil_i_number *e = &eye->number[k], *w = &eye->number[3];
@@ -1003,19 +1014,10 @@ static int sil_i_eye_level(const sil_i_eye *eye, int k, float corner) {
    the eye is level with the face, or the face's shadow along k is nothing: two corners fall together or all three are
    level in another coordinate. */
 static int sil_i_plainly_zero(const float *a, const float *b, const float *c, const sil_i_eye *eye) {
-    int ab[3], ac[3], bc[3], k;
-    for (k = 0; k < 3; ++k) {
-        ab[k] = sil_i_same(a[k], b[k]);
-        ac[k] = sil_i_same(a[k], c[k]);
-        bc[k] = sil_i_same(b[k], c[k]);
-    }
-    for (k = 0; k < 3; ++k) {
-        const int i = (k + 1) % 3, j = (k + 2) % 3;
-        const int flat =
-            (ab[i] && ab[j]) || (ac[i] && ac[j]) || (bc[i] && bc[j]) || (ab[i] && ac[i]) || (ab[j] && ac[j]);
-        if (!flat && !sil_i_eye_level(eye, k, a[k]))
+    int k;
+    for (k = 0; k < 3; ++k)
+        if (!sil_i_no_shadow(a, b, c, k) && !sil_i_eye_level(eye, k, a[k]))
             return 0;
-    }
     return 1;
 }
 
@@ -1094,6 +1096,9 @@ static void sil_i_eye_make(sil_i_eye *eye, const sil_view *view, const sil_i_sha
     eye->valid = 1;
     sil_i_eye_round(eye);
     sil_i_eye_for_planes(eye, shape);
+    for (i = 0; i < 3 && !eye->number[3].mantissa; ++i)
+        if (eye->number[i].mantissa)
+            eye->along |= SIL_I_NO_SHADOW << i;
 }
 
 /* On which side of a face's plane in rest is a point? 1 in front of it, 0 exactly in it. */
@@ -1156,6 +1161,8 @@ static int sil_i_front_unsure(const sil_mesh *mesh, const sil_i_shape *shape, co
         if (face == SIL_NONE)
             return 0;
     }
+    if (shape == &mesh->rest && eye->along && (mesh->face_flags[face] & eye->along) == eye->along)
+        return 0; /* plainly edge-on: no shadow along any axis that the direction has a part in */
     for (i = 0; i < 3; ++i) {
         const uint32_t vertex = mesh->corner[3 * (size_t)face + (size_t)i];
         if (shape->bad_count && shape->bad[vertex])
@@ -1178,30 +1185,86 @@ static int sil_i_front(const sil_mesh *mesh, const sil_i_shape *shape, const sil
     return sil_i_front_unsure(mesh, shape, eye, face);
 }
 
-/* All faces, 64 at a time; loops of fixed length so that compilers make vector code of them. */
+/* 64 faces from `first` on by their float planes: 1 in front[] where they surely are. Returns which are in doubt. */
+static uint64_t sil_i_front_block_plain(const sil_i_shape *shape, const sil_i_eye *eye, size_t first,
+                                        unsigned char *front) {
+    const float ex = eye->plane[0], ey = eye->plane[1], ez = eye->plane[2], ew = eye->plane[3], limit = eye->limit;
+    const float *nx = shape->plane[0] + first, *ny = shape->plane[1] + first;
+    const float *nz = shape->plane[2] + first, *d = shape->plane[3] + first;
+    uint64_t unsure = 0;
+    float t[SIL_I_BLOCK];
+    size_t i;
+    int any = 0;
+    for (i = 0; i < SIL_I_BLOCK; ++i)
+        t[i] = nx[i] * ex + ny[i] * ey + nz[i] * ez - d[i] * ew;
+    for (i = 0; i < SIL_I_BLOCK; ++i)
+        any |= (t[i] <= limit) & (t[i] >= -limit);
+    for (i = 0; i < SIL_I_BLOCK; ++i)
+        front[i] = (unsigned char)(t[i] > limit);
+    for (i = 0; any && i < SIL_I_BLOCK; ++i)
+        unsure |= (uint64_t)((t[i] <= limit) & (t[i] >= -limit)) << i;
+    return unsure;
+}
+
+#ifdef SIL_I_WIDE
+
+/* What comparisons of 32 numbers left, a byte each, in order: packing is within halves. */
+SIL_I_WIDE static __m256i sil_i_pack_wide(__m256i a, __m256i b, __m256i c, __m256i d) {
+    const __m256i bytes = _mm256_packs_epi16(_mm256_packs_epi32(a, b), _mm256_packs_epi32(c, d));
+    return _mm256_permutevar8x32_epi32(bytes, _mm256_setr_epi32(0, 4, 1, 5, 2, 6, 3, 7));
+}
+
+SIL_I_WIDE static __m256 sil_i_plane_wide(const sil_i_shape *shape, const sil_i_eye *eye, size_t first) {
+    const __m256 x = _mm256_mul_ps(_mm256_loadu_ps(shape->plane[0] + first), _mm256_set1_ps(eye->plane[0]));
+    const __m256 y = _mm256_mul_ps(_mm256_loadu_ps(shape->plane[1] + first), _mm256_set1_ps(eye->plane[1]));
+    const __m256 z = _mm256_mul_ps(_mm256_loadu_ps(shape->plane[2] + first), _mm256_set1_ps(eye->plane[2]));
+    const __m256 d = _mm256_mul_ps(_mm256_loadu_ps(shape->plane[3] + first), _mm256_set1_ps(eye->plane[3]));
+    return _mm256_sub_ps(_mm256_add_ps(_mm256_add_ps(x, y), z), d);
+}
+
+SIL_I_WIDE static __m256i sil_i_greater_wide(__m256 a, __m256 b) {
+    return _mm256_castps_si256(_mm256_cmp_ps(a, b, _CMP_GT_OQ));
+}
+
+SIL_I_WIDE static uint64_t sil_i_front_block_wide(const sil_i_shape *shape, const sil_i_eye *eye, size_t first,
+                                                  unsigned char *front) {
+    const __m256 high = _mm256_set1_ps(eye->limit), low = _mm256_set1_ps(-eye->limit);
+    uint64_t sure = 0;
+    size_t i;
+    for (i = 0; i < SIL_I_BLOCK; i += 32) {
+        const __m256 a = sil_i_plane_wide(shape, eye, first + i), b = sil_i_plane_wide(shape, eye, first + i + 8);
+        const __m256 c = sil_i_plane_wide(shape, eye, first + i + 16);
+        const __m256 d = sil_i_plane_wide(shape, eye, first + i + 24);
+        const __m256i fronts = sil_i_pack_wide(sil_i_greater_wide(a, high), sil_i_greater_wide(b, high),
+                                               sil_i_greater_wide(c, high), sil_i_greater_wide(d, high));
+        const __m256i backs = sil_i_pack_wide(sil_i_greater_wide(low, a), sil_i_greater_wide(low, b),
+                                              sil_i_greater_wide(low, c), sil_i_greater_wide(low, d));
+        _mm256_storeu_si256((__m256i *)(void *)(front + i), _mm256_and_si256(fronts, _mm256_set1_epi8(1)));
+        sure |= (uint64_t)(uint32_t)_mm256_movemask_epi8(_mm256_or_si256(fronts, backs)) << i;
+    }
+    return ~sure;
+}
+
+#endif
+
 static void sil_i_front_all(const sil_mesh *mesh, const sil_i_shape *shape, const sil_i_eye *eye,
                             unsigned char *front) {
-    const float ex = eye->plane[0], ey = eye->plane[1], ez = eye->plane[2], ew = eye->plane[3], limit = eye->limit;
     size_t first, i;
     if (!eye->valid) {
         memset(front, 0, sil_i_padded(mesh->face_count));
         return;
     }
     for (first = 0; first < mesh->face_count; first += SIL_I_BLOCK) {
-        const float *nx = shape->plane[0] + first, *ny = shape->plane[1] + first;
-        const float *nz = shape->plane[2] + first, *d = shape->plane[3] + first;
-        float t[SIL_I_BLOCK];
-        int unsure = 0;
-        for (i = 0; i < SIL_I_BLOCK; ++i)
-            t[i] = nx[i] * ex + ny[i] * ey + nz[i] * ez - d[i] * ew;
-        for (i = 0; i < SIL_I_BLOCK; ++i)
-            unsure |= (t[i] <= limit) & (t[i] >= -limit);
-        for (i = 0; i < SIL_I_BLOCK; ++i)
-            front[first + i] = (unsigned char)(t[i] > limit);
-        if (unsure)
-            for (i = 0; i < SIL_I_BLOCK && first + i < mesh->face_count; ++i)
-                if (t[i] <= limit && t[i] >= -limit)
-                    front[first + i] = (unsigned char)sil_i_front_unsure(mesh, shape, eye, (uint32_t)(first + i));
+        uint64_t unsure;
+#ifdef SIL_I_WIDE
+        if (mesh->wide)
+            unsure = sil_i_front_block_wide(shape, eye, first, front + first);
+        else
+#endif
+            unsure = sil_i_front_block_plain(shape, eye, first, front + first);
+        for (i = first; unsure && i < mesh->face_count; ++i, unsure >>= 1)
+            if (unsure & 1)
+                front[i] = (unsigned char)sil_i_front_unsure(mesh, shape, eye, (uint32_t)i);
     }
 }
 
@@ -1591,43 +1654,114 @@ static void sil_i_sort_words(uint64_t *words, uint64_t *spare, size_t count, int
     }
 }
 
-/* Numbers faces along a space-filling curve: neighbours are then close in memory, and any 32 that follow each other are
-   a small patch, a leaf of the hierarchy. Faces at the same place stay in the order of their vertices. */
+/* A face where it is to be numbered: middle and unit normal, both within -1 .. 1. */
+typedef struct sil_i_seat {
+    float key[6];
+    uint32_t face;
+} sil_i_seat;
+
+static int sil_i_seat_before(const sil_i_seat *a, const sil_i_seat *b, int k) {
+    return a->key[k] < b->key[k] || (!(b->key[k] < a->key[k]) && a->face < b->face);
+}
+
+/* Moves the `nth` of the seats by key k to its place, smaller ones before it. Pivots are taken from anywhere, so that no
+   order of the faces makes it slow. */
+static void sil_i_select_seat(sil_i_seat *seats, size_t count, size_t nth, int k) {
+    size_t low = 0, high = count;
+    while (high - low > 1) {
+        const uint32_t any = sil_i_hash((uint32_t)low, (uint32_t)high, (uint32_t)nth);
+        const sil_i_seat pivot = seats[low + any % (high - low)];
+        size_t i = low, j = high - 1;
+        for (;;) {
+            sil_i_seat swap;
+            while (sil_i_seat_before(&seats[i], &pivot, k))
+                ++i;
+            while (sil_i_seat_before(&pivot, &seats[j], k))
+                --j;
+            if (i >= j)
+                break;
+            swap = seats[i];
+            seats[i] = seats[j];
+            seats[j] = swap;
+            ++i;
+            --j;
+        }
+        /* None before i is larger than the pivot, none from i on smaller. */
+        if (nth < i)
+            high = i;
+        else
+            low = i > low ? i : low + 1; /* the pivot may be the smallest, and first */
+        if (nth < low)
+            return;
+    }
+}
+
+/* Halves faces again and again, across the widest of the six keys, into runs of a power of two times 32: patches, and
+   nodes of the hierarchy, then hold faces that are close together and look the same way. */
+static void sil_i_divide_seats(sil_i_seat *seats, size_t count) {
+    while (count > 32) {
+        float low[6], high[6];
+        size_t i, half = 32;
+        int k, widest = 0;
+        memcpy(low, seats[0].key, sizeof low);
+        memcpy(high, seats[0].key, sizeof high);
+        for (i = 1; i < count; ++i)
+            for (k = 0; k < 6; ++k) {
+                const float x = seats[i].key[k];
+                low[k] = x < low[k] ? x : low[k];
+                high[k] = x > high[k] ? x : high[k];
+            }
+        for (k = 1; k < 6; ++k)
+            if (high[k] - low[k] > high[widest] - low[widest])
+                widest = k;
+        while (2 * half < count)
+            half *= 2;
+        sil_i_select_seat(seats, count, half, widest);
+        sil_i_divide_seats(seats, half);
+        seats += half;
+        count -= half;
+    }
+}
+
+static void sil_i_seat_set(const sil_mesh *mesh, const uint32_t *corner, sil_i_seat *seat) {
+    const float *a = mesh->rest.position + 3 * (size_t)corner[0], *b = mesh->rest.position + 3 * (size_t)corner[1];
+    const float *c = mesh->rest.position + 3 * (size_t)corner[2];
+    double normal[3], error, length;
+    int k;
+    sil_i_normal(&mesh->rest, corner, normal, &error);
+    length = sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
+    for (k = 0; k < 3; ++k) {
+        const double middle = ((double)a[k] + (double)b[k] + (double)c[k]) / 3;
+        seat->key[k] = (float)((middle - mesh->rest.center[k]) / mesh->rest.scale);
+        seat->key[3 + k] = length > 0 ? (float)(normal[k] / length) : 0;
+    }
+}
+
+/* Numbers faces so that any 32 that follow each other from a multiple of 32 on are a small patch. Equal faces stay in the
+   order of their vertices. */
 static void sil_i_order_faces(sil_mesh *mesh, sil_i_heap *scratch) {
     const size_t count = mesh->face_count;
-    uint64_t *order = (uint64_t *)sil_i_take(scratch, count, sizeof(uint64_t));
-    uint64_t *spare = (uint64_t *)sil_i_take(scratch, count, sizeof(uint64_t));
-    uint32_t *old = sil_i_take_words(scratch, 4 * count); /* three corners and the source of each */
+    sil_i_seat *seats = (sil_i_seat *)sil_i_take(scratch, count, sizeof *seats);
+    uint32_t *old = sil_i_take_words(scratch, 5 * count); /* three corners, the source and the flags of each */
     size_t f;
-    int k;
     sil_i_shape_box(mesh, &mesh->rest);
     for (f = 0; f < count && !scratch->failed; ++f) {
-        const uint32_t *corner = mesh->corner + 3 * f;
-        const float *a = mesh->rest.position + 3 * (size_t)corner[0], *b = mesh->rest.position + 3 * (size_t)corner[1];
-        const float *c = mesh->rest.position + 3 * (size_t)corner[2];
-        uint32_t code = 0;
-        for (k = 0; k < 3; ++k) {
-            const double middle = ((double)a[k] + (double)b[k] + (double)c[k]) / 3;
-            const double at = ((middle - mesh->rest.center[k]) / mesh->rest.scale + 1) * 511.5;
-            code |= sil_i_spread_bits((uint32_t)(at < 0 ? 0 : at > 1023 ? 1023 : at)) << k;
-        }
-        order[f] = (uint64_t)code << 32 | f;
-        memcpy(old + 4 * f, corner, 3 * sizeof(uint32_t));
-        old[4 * f + 3] = mesh->source[f];
+        seats[f].face = (uint32_t)f;
+        sil_i_seat_set(mesh, mesh->corner + 3 * f, &seats[f]);
+        memcpy(old + 5 * f, mesh->corner + 3 * f, 3 * sizeof(uint32_t));
+        old[5 * f + 3] = mesh->source[f];
+        old[5 * f + 4] = mesh->face_flags[f];
     }
     if (!scratch->failed) {
-        sil_i_sort_words(order, spare, count, 32, 62);
-        for (f = 0; f < count; ++f)
-            ((unsigned char *)spare)[f] = mesh->face_flags[f];
+        sil_i_divide_seats(seats, count);
         for (f = 0; f < count; ++f) {
-            const size_t from = (size_t)(order[f] & 0xffffffffu);
-            memcpy(mesh->corner + 3 * f, old + 4 * from, 3 * sizeof(uint32_t));
-            mesh->source[f] = old[4 * from + 3];
-            mesh->face_flags[f] = ((unsigned char *)spare)[from];
+            const uint32_t *from = old + 5 * (size_t)seats[f].face;
+            memcpy(mesh->corner + 3 * f, from, 3 * sizeof(uint32_t));
+            mesh->source[f] = from[3];
+            mesh->face_flags[f] = (unsigned char)from[4];
         }
     }
-    sil_i_give(&scratch->allocator, order);
-    sil_i_give(&scratch->allocator, spare);
+    sil_i_give(&scratch->allocator, seats);
     sil_i_give(&scratch->allocator, old);
 }
 
@@ -1646,6 +1780,9 @@ static void sil_i_build_planes(sil_mesh *mesh, sil_i_heap *heap) {
     for (f = 0; f < mesh->face_count; ++f) {
         const uint32_t *corner = mesh->corner + 3 * f;
         const float *p = mesh->rest.position;
+        for (k = 0; k < 3; ++k)
+            if (sil_i_no_shadow(p + 3 * (size_t)corner[0], p + 3 * (size_t)corner[1], p + 3 * (size_t)corner[2], k))
+                mesh->face_flags[f] = (unsigned char)(mesh->face_flags[f] | SIL_I_NO_SHADOW << k);
         if (sil_i_face_plane(mesh, &mesh->rest, f) || mesh->face_flags[f] & SIL_I_BORROWS)
             continue;
         if (sil_i_collinear(p + 3 * (size_t)corner[0], p + 3 * (size_t)corner[1], p + 3 * (size_t)corner[2])) {
@@ -2768,7 +2905,7 @@ static unsigned sil_i_fold(const sil_mesh *mesh, uint32_t edge) {
     const uint32_t *v = mesh->edge_vertex + 2 * (size_t)edge, *b = mesh->corner + 3 * (size_t)f1;
     int sign, k = 0;
     if (mesh->edge_kinds[edge] & SIL_I_MANY || f0 == f1 ||
-        (mesh->face_flags[f0] | mesh->face_flags[f1]) & ~SIL_I_PIECE ||
+        (mesh->face_flags[f0] | mesh->face_flags[f1]) & (SIL_I_TWO_SIDED | SIL_I_NO_AREA) ||
         sil_i_rises(mesh, f0, edge) == sil_i_rises(mesh, f1, edge))
         return 0;
     while (b[k] == v[0] || b[k] == v[1])
@@ -2818,8 +2955,8 @@ static void sil_i_build_components(sil_mesh *mesh, sil_i_heap *scratch) {
 #define SIL_I_PLACES 128u /* faces that a patch has to do with, at most: its own, and one across each of their edges */
 #define SIL_I_WORTHWHILE 60000u /* edges from which on a mesh has a hierarchy unless told otherwise */
 
-/* Patch i is faces 32 i .. 32 i + 31. An edge of two faces belongs to the patch of its first one, and edges are numbered
-   by their first faces. A patch also knows the faces across its edges that are not its own, its rim: where all of them
+/* Patch i is faces 32 i .. 32 i + 31. An edge belongs to the patch of the first face that has it as a side; edges are
+   numbered by those. A patch also knows the faces across its edges that are not its own, its rim: where all of them
    and its own have one sign it has no silhouette. Faces have places in a patch: its own from 0 on, the rim's from 32.
    All that is read of a patch to find and write its silhouettes is in one block of cache lines: its head, with a
    hierarchy the planes at its places (see sil_i_quantise), the places of its edges' faces (32 first and 32 second ones in
@@ -2831,7 +2968,8 @@ typedef struct sil_i_patches {
     uint32_t *line;                /* of each patch: where its block begins, and the end */
     unsigned char *memory, *block; /* block: the first whole cache line of memory */
     uint32_t *special;             /* edges that are more than the border of two faces, rising */
-    size_t special_count;
+    uint32_t *lone;                /* of these the ones of many faces, or of two that are not of the edge's patch */
+    size_t special_count, lone_count;
 } sil_i_patches;
 
 #define SIL_I_LINE 64u /* bytes */
@@ -2862,6 +3000,7 @@ static void sil_i_patches_give(const sil_allocator *allocator, sil_i_patches *p)
     sil_i_give(allocator, p->line);
     sil_i_give(allocator, p->memory);
     sil_i_give(allocator, p->special);
+    sil_i_give(allocator, p->lone);
 }
 
 static void sil_i_hierarchy_give(const sil_allocator *allocator, sil_i_hierarchy *h) {
@@ -2900,24 +3039,34 @@ static void sil_i_set_record(const sil_mesh *mesh, uint32_t edge, uint32_t recor
     record[3] = mesh->source[f1] | (uint32_t)(sil_i_rises(mesh, f1, edge) == rises) << 28;
 }
 
+/* An edge that is told by its two faces alone is not found by patches but tried in every view: one of many faces, or one
+   whose faces are of other patches, since it is numbered by a sliver that was left out of its faces. */
+static int sil_i_is_lone(const sil_mesh *mesh, size_t edge, size_t patch) {
+    const uint32_t f0 = mesh->edge_face[0][edge], f1 = mesh->edge_face[1][edge];
+    return mesh->edge_kinds[edge] & SIL_I_MANY || (f0 / SIL_I_PATCH != patch && f1 / SIL_I_PATCH != patch);
+}
+
+static int sil_i_is_found_by_patch(const sil_mesh *mesh, size_t edge, size_t patch) {
+    return mesh->edge_face[0][edge] != mesh->edge_face[1][edge] && !sil_i_is_lone(mesh, edge, patch);
+}
+
 /* The rim of a patch: the faces across its edges. Their places, and those of its own faces, are written to place[]: patch
    << 8 | place. Returns their number. */
 static size_t sil_i_patch_rim(const sil_mesh *mesh, const sil_i_patches *p, uint32_t patch, uint32_t *place,
                               uint32_t *rim) {
     size_t e, count = 0;
-    for (e = p->edge_first[patch]; e < p->edge_first[patch + 1]; ++e) {
-        const uint32_t f0 = mesh->edge_face[0][e], f1 = mesh->edge_face[1][e];
-        if (f0 == f1 || mesh->edge_kinds[e] & SIL_I_MANY)
-            continue;
-        place[f0] = patch << 8 | f0 % SIL_I_PATCH;
-        if (f1 / SIL_I_PATCH == patch)
-            place[f1] = patch << 8 | f1 % SIL_I_PATCH;
-        else if (place[f1] >> 8 != patch) {
-            place[f1] = patch << 8 | (uint32_t)(SIL_I_PATCH + count);
-            rim[count++] = f1;
+    int k;
+    for (e = p->edge_first[patch]; e < p->edge_first[patch + 1]; ++e)
+        for (k = 0; k < 2 && sil_i_is_found_by_patch(mesh, e, patch); ++k) {
+            const uint32_t face = mesh->edge_face[k][e];
+            if (face / SIL_I_PATCH == patch)
+                place[face] = patch << 8 | face % SIL_I_PATCH;
+            else if (place[face] >> 8 != patch) {
+                place[face] = patch << 8 | (uint32_t)(SIL_I_PATCH + count);
+                rim[count++] = face;
+            }
+            SIL_ASSERT(SIL_I_PATCH + count <= SIL_I_PLACES);
         }
-        SIL_ASSERT(SIL_I_PATCH + count <= SIL_I_PLACES);
-    }
     return count;
 }
 
@@ -2940,7 +3089,7 @@ static void sil_i_fill_block(const sil_mesh *mesh, const sil_i_patches *p, size_
     records = (uint32_t *)(void *)(sides + SIL_I_LINE * (size_t)((head.edge_count + 31) / 32));
     for (i = 0; i < head.edge_count; ++i) {
         const uint32_t e = first + i, f0 = mesh->edge_face[0][e], f1 = mesh->edge_face[1][e];
-        if (f0 == f1 || mesh->edge_kinds[e] & SIL_I_MANY)
+        if (!sil_i_is_found_by_patch(mesh, e, patch))
             continue;
         sides[i / 32 * 64 + i % 32] = (unsigned char)(place[f0] & 255);
         sides[i / 32 * 64 + i % 32 + 32] = (unsigned char)(place[f1] & 255);
@@ -2948,18 +3097,32 @@ static void sil_i_fill_block(const sil_mesh *mesh, const sil_i_patches *p, size_
     }
 }
 
-/* Where the edges of each patch begin, and which edges are special. Those of many faces may be anywhere. */
+/* Where the edges of each patch begin. */
 static void sil_i_share_edges(const sil_mesh *mesh, sil_i_patches *p) {
-    size_t e, patch = 0, specials = 0;
-    for (e = 0; e < mesh->edge_count; ++e) {
-        if (mesh->edge_kinds[e] & ~SIL_I_FOLDS)
-            p->special[specials++] = (uint32_t)e;
-        if (!(mesh->edge_kinds[e] & SIL_I_MANY))
-            while (patch <= mesh->edge_face[0][e] / SIL_I_PATCH)
-                p->edge_first[patch++] = (uint32_t)e;
+    size_t side;
+    uint32_t seen = 0;
+    for (side = 0; side < 3 * mesh->face_count; ++side) {
+        if (side % (3 * SIL_I_PATCH) == 0)
+            p->edge_first[side / (3 * SIL_I_PATCH)] = seen;
+        seen = mesh->face_edge[side] >= seen ? mesh->face_edge[side] + 1 : seen;
     }
-    while (patch <= p->count)
-        p->edge_first[patch++] = (uint32_t)mesh->edge_count;
+    p->edge_first[p->count] = (uint32_t)mesh->edge_count;
+}
+
+/* Lists or, without lists, counts edges that are candidates for other reasons than the signs in their patch. */
+static void sil_i_list_edges(const sil_mesh *mesh, sil_i_patches *p) {
+    size_t patch, e;
+    p->special_count = p->lone_count = 0;
+    for (patch = 0; patch < p->count; ++patch)
+        for (e = p->edge_first[patch]; e < p->edge_first[patch + 1]; ++e) {
+            const int lone = sil_i_is_lone(mesh, e, patch);
+            if (lone && p->lone)
+                p->lone[p->lone_count] = (uint32_t)e;
+            if ((lone || mesh->edge_kinds[e] & ~SIL_I_FOLDS) && p->special)
+                p->special[p->special_count] = (uint32_t)e;
+            p->lone_count += (size_t)lone;
+            p->special_count += lone || mesh->edge_kinds[e] & ~SIL_I_FOLDS;
+        }
 }
 
 /* Rims and blocks: counted first, then filled. */
@@ -2967,7 +3130,6 @@ static void sil_i_fill_patches(const sil_mesh *mesh, sil_i_patches *p, int plane
     uint32_t rim[SIL_I_PLACES], patch;
     size_t i, count;
     int pass;
-    sil_i_share_edges(mesh, p);
     p->rim_first[0] = p->line[0] = 0;
     for (pass = 0; pass < 2; ++pass) {
         memset(place, 0xff, mesh->face_count * sizeof(uint32_t));
@@ -3006,18 +3168,22 @@ static int sil_i_wants_hierarchy(const sil_mesh *mesh, unsigned flags) {
 static void sil_i_build_patches(sil_mesh *mesh, unsigned flags, sil_i_heap *heap, sil_i_heap *scratch) {
     sil_i_patches *p = mesh->patches = (sil_i_patches *)sil_i_take(heap, 1, sizeof *p);
     uint32_t *place;
-    size_t e;
     if (!p)
         return;
     memset(p, 0, sizeof *p);
-    for (e = 0; e < mesh->edge_count; ++e)
-        p->special_count += (mesh->edge_kinds[e] & ~SIL_I_FOLDS) != 0;
     p->count = (mesh->face_count + SIL_I_PATCH - 1) / SIL_I_PATCH;
     p->edge_first = sil_i_take_words(heap, p->count + 1);
     p->rim_first = sil_i_take_words(heap, p->count + 1);
     p->line = sil_i_take_words(heap, p->count + 1);
-    p->special = sil_i_take_words(heap, p->special_count);
     place = sil_i_take_words(scratch, mesh->face_count);
+    if (!heap->failed) {
+        sil_i_share_edges(mesh, p);
+        sil_i_list_edges(mesh, p);
+        p->special = sil_i_take_words(heap, p->special_count);
+        p->lone = sil_i_take_words(heap, p->lone_count);
+    }
+    if (!heap->failed && !scratch->failed)
+        sil_i_list_edges(mesh, p);
     if (!heap->failed && !scratch->failed)
         sil_i_fill_patches(mesh, p, sil_i_wants_hierarchy(mesh, flags), heap, place);
     sil_i_give(&scratch->allocator, place);
@@ -4029,8 +4195,8 @@ static void sil_i_edges_begin(const sil_mesh *mesh, unsigned kinds, sil_edge *ed
     out->capacity = capacity;
     out->count = 0;
     out->kinds = kinds & SIL_I_LINES;
-    out->other = special ? mesh->patches->special : mesh->many_edge;
-    out->other_end = out->other + (special ? mesh->patches->special_count : mesh->many_count);
+    out->other = special ? mesh->patches->special : mesh->patches->lone;
+    out->other_end = out->other + (special ? mesh->patches->special_count : mesh->patches->lone_count);
 }
 
 static void sil_i_extract_one(const sil_i_signs *signs, uint32_t edge, sil_i_edges_out *out) {
@@ -4290,13 +4456,6 @@ SIL_I_WIDE static __m256i sil_i_sums_wide(const int16_t *plane, __m256i w0, __m2
                             _mm256_madd_epi16(_mm256_loadu_si256(q + 1), w1));
 }
 
-/* What comparisons of 32 numbers left, a bit each. */
-SIL_I_WIDE static uint32_t sil_i_pack_wide(__m256i a, __m256i b, __m256i c, __m256i d) {
-    const __m256i order = _mm256_setr_epi32(0, 4, 1, 5, 2, 6, 3, 7); /* packing is within halves */
-    const __m256i bytes = _mm256_packs_epi16(_mm256_packs_epi32(a, b), _mm256_packs_epi32(c, d));
-    return (uint32_t)_mm256_movemask_epi8(_mm256_permutevar8x32_epi32(bytes, order));
-}
-
 /* 32 places at a time; what lies behind the last is cut off. */
 SIL_I_WIDE static int sil_i_patch_signs_wide(const int16_t *plane, size_t places, const int32_t eye[4],
                                              sil_i_mask front, sil_i_mask unsure) {
@@ -4307,15 +4466,21 @@ SIL_I_WIDE static int sil_i_patch_signs_wide(const int16_t *plane, size_t places
     for (place = 0; place < places; place += 32, plane += 128) {
         const __m256i a = sil_i_sums_wide(plane, w0, w1), b = sil_i_sums_wide(plane + 32, w0, w1);
         const __m256i c = sil_i_sums_wide(plane + 64, w0, w1), d = sil_i_sums_wide(plane + 96, w0, w1);
-        const uint32_t fronts = sil_i_pack_wide(_mm256_cmpgt_epi32(a, above), _mm256_cmpgt_epi32(b, above),
-                                                _mm256_cmpgt_epi32(c, above), _mm256_cmpgt_epi32(d, above));
-        const uint32_t backs = sil_i_pack_wide(_mm256_cmpgt_epi32(below, a), _mm256_cmpgt_epi32(below, b),
-                                               _mm256_cmpgt_epi32(below, c), _mm256_cmpgt_epi32(below, d));
+        const __m256i fronts = sil_i_pack_wide(_mm256_cmpgt_epi32(a, above), _mm256_cmpgt_epi32(b, above),
+                                               _mm256_cmpgt_epi32(c, above), _mm256_cmpgt_epi32(d, above));
+        const __m256i backs = sil_i_pack_wide(_mm256_cmpgt_epi32(below, a), _mm256_cmpgt_epi32(below, b),
+                                              _mm256_cmpgt_epi32(below, c), _mm256_cmpgt_epi32(below, d));
         const uint32_t here = places - place < 32 ? ((uint32_t)1 << (places - place)) - 1 : 0xffffffffu;
-        front[place / 64] |= (uint64_t)(fronts & here) << place % 64;
-        unsure[place / 64] |= (uint64_t)(~(fronts | backs) & here) << place % 64;
+        front[place / 64] |= (uint64_t)((uint32_t)_mm256_movemask_epi8(fronts) & here) << place % 64;
+        unsure[place / 64] |= (uint64_t)(~(uint32_t)_mm256_movemask_epi8(_mm256_or_si256(fronts, backs)) & here)
+                              << place % 64;
     }
     return (unsure[0] | unsure[1]) != 0;
+}
+
+SIL_I_WIDE static uint32_t sil_i_nonzero_wide(const unsigned char *bytes) {
+    const __m256i b = _mm256_loadu_si256((const __m256i *)(const void *)bytes);
+    return (uint32_t)_mm256_movemask_epi8(_mm256_cmpgt_epi8(b, _mm256_setzero_si256()));
 }
 
 /* 32 sides at a time: a byte of the mask and a bit of that are looked up for each by one instruction. */
@@ -4388,6 +4553,23 @@ static void sil_i_gather_signs(const sil_i_signs *signs, size_t patch, const sil
             front[word] |= (uint64_t)sil_i_is_front(signs, face) << bit;
         }
     }
+}
+
+/* From the signs of all faces: the patch's own are in a row. */
+SIL_I_INLINE void sil_i_pick_signs(const sil_i_signs *signs, size_t patch, size_t places, sil_i_mask front, int wide) {
+    const uint32_t *rim = signs->mesh->patches->rim + signs->mesh->patches->rim_first[patch];
+    const unsigned char *own = signs->front + patch * SIL_I_PATCH;
+    size_t i;
+    (void)wide;
+#ifdef SIL_I_WIDE
+    if (wide)
+        front[0] = sil_i_nonzero_wide(own);
+    else
+#endif
+        for (i = 0; i < SIL_I_PATCH; ++i)
+            front[0] |= (uint64_t)own[i] << i;
+    for (i = SIL_I_PATCH; i < places; ++i)
+        front[i / 64] |= (uint64_t)signs->front[rim[i - SIL_I_PATCH]] << i % 64;
 }
 
 static void sil_i_all_places(size_t places, sil_i_mask all) {
@@ -4543,8 +4725,12 @@ SIL_I_INLINE void sil_i_scan_by(const sil_i_signs *signs, sil_i_edges_out *out, 
     for (patch = 0; patch < p->count; ++patch) {
         const sil_i_head *head = sil_i_patch_head(p, patch);
         sil_i_mask all, front = {0, 0};
-        sil_i_all_places(head->places, all);
-        sil_i_gather_signs(signs, patch, all, front);
+        if (signs->front)
+            sil_i_pick_signs(signs, patch, head->places, front, wide);
+        else {
+            sil_i_all_places(head->places, all);
+            sil_i_gather_signs(signs, patch, all, front);
+        }
         sil_i_batch_find(&batch, head, front, wide);
     }
     sil_i_batch_write(&batch, wide);
