@@ -136,11 +136,11 @@ typedef enum oit_fit {
     OIT_FIT_ASYNC /* never waits: what does not fit this frame is composed from the tail, and the pool grows for the next */
 } oit_fit;
 
-/* How a fragment's colour is kept. Bytes are those of a fragment with nothing else chosen. */
+/* How a fragment's colour is kept. Bytes are those of a fragment with nothing else chosen; sizes go in steps of 8. */
 typedef enum oit_color {
-    OIT_COLOR_8,    /* rgb in 8 bits each, alpha as a 32-bit float: 12 bytes, for targets of 8 bits */
-    OIT_COLOR_HALF, /* rgb and alpha as 16-bit floats: 12 bytes, for brightnesses above 1 */
-    OIT_COLOR_FLOAT /* rgb and alpha as 32-bit floats: 20 bytes */
+    OIT_COLOR_8, /* for targets of 8 bits: rgb in 10 bits each, alpha as a 32-bit float; 16 bytes, of which 4 are free */
+    OIT_COLOR_HALF, /* rgb and alpha as 16-bit floats, for brightnesses above 1; 16 bytes, of which 4 are free */
+    OIT_COLOR_FLOAT /* rgb and alpha as 32-bit floats; 24 bytes, of which 4 are free */
 } oit_color;
 
 /* What a fragment carries beside depth and colour, 4 bytes each but for OIT_FIELD_UV's 8; OIT_FIELD_BLEND is free with
@@ -350,7 +350,7 @@ static const char *const oit_i_shader_oit_compose_frag[] = {
     "#line 1\n"
     "// For: oit_buffers.h\n"
     "// The pixels whose runs have more than OIT_ABOVE and at most OIT_CLASS records, composed over the target; with OIT_DEEP\n"
-    "// all that have more, OIT_CLASS records at a time.\n"
+    "// all that are deeper than the programs that were drawn before, OIT_CLASS records at a time.\n"
     "#if OIT_MODE == OIT_MODE_DUAL\n"
     "layout(location = 0, index = 0) out highp vec4 oit_out;\n"
     "layout(location = 0, index = 1) out highp vec4 oit_keep;\n"
@@ -358,19 +358,19 @@ static const char *const oit_i_shader_oit_compose_frag[] = {
     "layout(location = 0) out highp vec4 oit_out;\n"
     "#endif\n"
     "\n"
-    "// Lays the first m of oit_order. With ties, all records of that depth are laid when the first of them is met; beyond\n"
-    "// the last of a block there may be more of its depth.\n"
-    "void oit_lay_sorted(uint base, uint n, uint m, bool tie, inout uint grouped)\n"
+    "// Lays the first m of oit_order, which holds `known`. With ties, all records of that depth, be they in this block or not,\n"
+    "// are laid when the first of them is met.\n"
+    "void oit_lay_sorted(uint base, uint n, uint m, uint known, bool tie, inout uint grouped)\n"
     "{\n"
     "    for (uint i = 0u; i < m && oit_visible(); ++i) {\n"
     "        uint at = oit_order[i];\n"
     "        bool alone = true;\n"
     "        uint depth = 0u;\n"
     "        if (tie) {\n"
-    "            depth = oit_word[at];\n"
+    "            depth = oit_record_depth(at);\n"
     "            if (depth == grouped)\n"
     "                continue;\n"
-    "            alone = i + 1u < m ? oit_word[oit_order[i + 1u]] != depth : OIT_DEEP == 0;\n"
+    "            alone = i + 1u >= known || oit_record_depth(oit_order[i + 1u]) != depth;\n"
     "        }\n"
     "        if (alone) {\n"
     "            oit_lay(at);\n"
@@ -387,14 +387,13 @@ static const char *const oit_i_shader_oit_compose_frag[] = {
     "#if OIT_DEEP\n"
     "    uint depth = 0u, at = 0u;\n"
     "    for (uint done = 0u; done < n && oit_visible(); done += uint(OIT_CLASS)) {\n"
+    "        // One more than are laid, to see whether it ties with the last of them.\n"
     "        oit_select(base, n, done > 0u, depth, at);\n"
-    "        oit_lay_sorted(base, n, min(uint(OIT_CLASS), n - done), true, grouped);\n"
+    "        oit_lay_sorted(base, n, min(uint(OIT_CLASS), n - done), min(uint(OIT_CLASS + 1), n - done), true, grouped);\n"
     "    }\n"
-    "#elif OIT_CLASS == 1\n"
-    "    oit_lay(base);\n"
     "#else\n"
     "    bool tie = oit_sort(base, n);\n"
-    "    oit_lay_sorted(base, n, n, tie, grouped);\n"
+    "    oit_lay_sorted(base, n, n, n, tie, grouped);\n"
     "#endif\n"
     "}\n"
     "\n"
@@ -410,9 +409,14 @@ static const char *const oit_i_shader_oit_compose_frag[] = {
     "    // Fragments that were counted and did not come have left the first places empty.\n"
     "    start += uint(max(int(oit_pixel[OIT_LEFT(p)]), 0));\n"
     "    uint n = end - start;\n"
-    "    if (n <= uint(OIT_ABOVE) || (OIT_DEEP == 0 && n > uint(OIT_CLASS)))\n"
+    "#if OIT_DEEP\n"
+    "    if (n <= oit_step.y)\n"
     "        discard;\n"
-    "    oit_lay_run((start - oit_pool.y) * uint(OIT_WORDS), n);\n"
+    "#else\n"
+    "    if (n <= uint(OIT_ABOVE) || n > uint(OIT_CLASS))\n"
+    "        discard;\n"
+    "#endif\n"
+    "    oit_lay_run((start - oit_pool.y) * uint(OIT_VECTORS), n);\n"
     "#if OIT_MODE == OIT_MODE_DUAL\n"
     "    oit_out = vec4(oit_sum, 0.0);\n"
     "    oit_keep = vec4(oit_light.w * oit_through, 0.0);\n"
@@ -450,14 +454,19 @@ static const char *const oit_i_shader_oit_compose_glsl[] = {
     "\n"
     "void oit_lay(uint at)\n"
     "{\n"
-    "    vec4 color = oit_record_color(at);\n"
+    "    uvec4 words = oit_record_words(at);\n"
+    "    vec4 color = oit_unpack_color(words);\n"
     "#if OIT_PREMULTIPLIED\n"
     "    vec3 light = color.rgb;\n"
     "#else\n"
     "    vec3 light = color.a * color.rgb;\n"
     "#endif\n"
     "#if OIT_HAS_BLEND\n"
-    "    uint blend = oit_record_blend(at);\n"
+    "#if OIT_COLOR == OIT_COLOR_8\n"
+    "    uint blend = words.x >> 30u;\n"
+    "#else\n"
+    "    uint blend = OIT_WORD(at, OIT_AT_BLEND);\n"
+    "#endif\n"
     "    if (blend == 2u) { // multiply: seen through a filter of that colour\n"
     "        oit_through *= 1.0 - color.a + light;\n"
     "        return;\n"
@@ -478,8 +487,8 @@ static const char *const oit_i_shader_oit_compose_glsl[] = {
     "    for (;;) {\n"
     "        uint best = OIT_NONE;\n"
     "        for (uint i = 0u; i < count; ++i) {\n"
-    "            uint at = base + i * uint(OIT_WORDS);\n"
-    "            if (oit_word[at] != depth || (last != OIT_NONE && !oit_after(at, last)))\n"
+    "            uint at = base + i * uint(OIT_VECTORS);\n"
+    "            if (oit_record_depth(at) != depth || (last != OIT_NONE && !oit_after(at, last)))\n"
     "                continue;\n"
     "            if (best == OIT_NONE || oit_after(best, at))\n"
     "                best = at;\n"
@@ -492,12 +501,12 @@ static const char *const oit_i_shader_oit_compose_glsl[] = {
     "}\n"
     "\n"
     "// What oit_i_add_network writes is made of these: registers d (depth) and o (where the record lies).\n"
-    "#define L(d, o, i) uint d = OIT_NONE, o = base; if (i < n) { o = base + i * uint(OIT_WORDS); d = oit_word[o]; }\n"
+    "#define L(d, o, i) uint d = OIT_NONE, o = base; if (i < n) { o = base + i * uint(OIT_VECTORS); d = oit_record_depth(o); }\n"
     "#define S(d, o, e, p) { bool g = e < d; uint t = g ? p : o; p = g ? o : p; o = t; t = min(d, e); e = max(d, e); d = t; }\n"
     "#define T(d, e, i) tie = tie || (d == e && i < n);\n"
     "#define D(d, o) uint d = OIT_NONE, o = base;\n"
     "#define I(d, o) { s = s || x < d; uint t = d; d = s ? x : d; x = s ? t : x; t = o; o = s ? y : o; y = s ? t : y; }\n"
-    "uint oit_order[OIT_CLASS];\n",
+    "uint oit_order[OIT_CLASS + OIT_DEEP];\n",
     0};
 static const char *const oit_i_shader_oit_frame_block_glsl[] = {
     "#line 1\n"
@@ -507,7 +516,7 @@ static const char *const oit_i_shader_oit_frame_block_glsl[] = {
     "{\n"
     "    highp ivec4 oit_area;  // x, y of the slab's corner in the target, its width and height\n"
     "    highp uvec4 oit_pool;  // x: pixels of the slab, y: first fragment of the band, z: capacity, w: blocks of the scan\n"
-    "    highp uvec4 oit_step;  // x: 1 with the first slab of a frame\n"
+    "    highp uvec4 oit_step;  // x: 1 with the first slab of a frame, y: what is deeper is left to the program for all depths\n"
     "    highp vec4 oit_light;  // xyz: toward the light, unit length; zero: no shading. w: weight of the background\n"
     "};\n"
     "\n"
@@ -524,6 +533,9 @@ static const char *const oit_i_shader_oit_frame_block_glsl[] = {
     "#define OIT_LEFT(p) (OIT_HEADER + 1u + 2u * (p))\n"
     "#define OIT_SUM(b) (OIT_HEADER + 2u + 2u * oit_pool.x + (b))\n"
     "#define OIT_TAIL(p) (OIT_HEADER + 2u + 2u * oit_pool.x + oit_pool.w + 4u * (p))\n"
+    "\n"
+    "// With what is to come of a pixel whose run does not fit. A pixel has less than 2^30 fragments.\n"
+    "#define OIT_UNFIT 0x40000000u\n"
     "\n"
     "// A block of the scan: 128 invocations of 8 pixels each.\n"
     "#define OIT_BLOCK 1024u\n",
@@ -543,7 +555,7 @@ static const char *const oit_i_shader_oit_record_glsl[] = {
     "// For: oit_buffers.h\n"
     "// Records read back: the order of two, colour, how it is laid over what is behind.\n"
     "layout(std430, binding = OIT_BINDING_PIXELS) readonly buffer oit_pixels { uint oit_pixel[]; };\n"
-    "layout(std430, binding = OIT_BINDING_FRAGMENTS) readonly buffer oit_fragments { uint oit_word[]; };\n"
+    "layout(std430, binding = OIT_BINDING_FRAGMENTS) readonly buffer oit_fragments { OIT_VECTOR oit_data[]; };\n"
     "\n"
     "#define OIT_NONE 0xffffffffu\n"
     "\n"
@@ -551,37 +563,47 @@ static const char *const oit_i_shader_oit_record_glsl[] = {
     "// that are alike in every word.\n"
     "bool oit_after(uint a, uint b)\n"
     "{\n"
-    "    for (uint i = 0u; i < uint(OIT_WORDS); ++i) {\n"
-    "        uint x = oit_word[a + i], y = oit_word[b + i];\n"
-    "        if (x != y)\n"
-    "            return x > y;\n"
+    "    for (uint i = 0u; i < uint(OIT_VECTORS); ++i) {\n"
+    "        OIT_VECTOR x = oit_data[a + i], y = oit_data[b + i];\n"
+    "        for (int k = 0; k < OIT_LANES; ++k)\n"
+    "            if (x[k] != y[k])\n"
+    "                return x[k] > y[k];\n"
     "    }\n"
     "    return a > b;\n"
     "}\n"
     "\n"
-    "vec4 oit_record_color(uint at)\n"
+    "// Word i of the record at `at`; i is a constant.\n"
+    "#define OIT_WORD(at, i) oit_data[(at) + uint((i) / OIT_LANES)][(i) % OIT_LANES]\n"
+    "\n"
+    "uint oit_record_depth(uint at)\n"
+    "{\n"
+    "    return oit_data[at].x;\n"
+    "}\n"
+    "\n"
+    "vec4 oit_unpack_color(uvec4 w)\n"
     "{\n"
     "#if OIT_COLOR == OIT_COLOR_8\n"
-    "    uint c = oit_word[at + uint(OIT_AT_COLOR)];\n"
-    "    return vec4(vec3(uvec3(c, c >> 8u, c >> 16u) & 255u) * (1.0 / 255.0), uintBitsToFloat(oit_word[at + uint(OIT_AT_COLOR + 1)]));\n"
+    "    return vec4(vec3(uvec3(w.x, w.x >> 10u, w.x >> 20u) & 1023u) * (1.0 / 1023.0), uintBitsToFloat(w.y));\n"
     "#elif OIT_COLOR == OIT_COLOR_HALF\n"
-    "    return vec4(unpackHalf2x16(oit_word[at + uint(OIT_AT_COLOR)]), unpackHalf2x16(oit_word[at + uint(OIT_AT_COLOR + 1)]));\n"
+    "    return vec4(unpackHalf2x16(w.x), unpackHalf2x16(w.y));\n"
     "#else\n"
-    "    return vec4(uintBitsToFloat(oit_word[at + uint(OIT_AT_COLOR)]), uintBitsToFloat(oit_word[at + uint(OIT_AT_COLOR + 1)]),\n"
-    "                uintBitsToFloat(oit_word[at + uint(OIT_AT_COLOR + 2)]), uintBitsToFloat(oit_word[at + uint(OIT_AT_COLOR + 3)]));\n"
+    "    return uintBitsToFloat(w);\n"
     "#endif\n"
     "}\n"
     "\n"
-    "#if OIT_HAS_BLEND\n"
-    "uint oit_record_blend(uint at)\n"
+    "// The words of the colour; of one vector where they lie in one, which some drivers load much faster.\n"
+    "uvec4 oit_record_words(uint at)\n"
     "{\n"
-    "#if OIT_COLOR == OIT_COLOR_8\n"
-    "    return oit_word[at + uint(OIT_AT_COLOR)] >> 24u;\n"
+    "#if OIT_COLOR != OIT_COLOR_FLOAT && OIT_LANES == 4 && OIT_AT_COLOR < 3\n"
+    "    uvec4 w = oit_data[at];\n"
+    "    return uvec4(w[OIT_AT_COLOR], w[OIT_AT_COLOR + 1], 0u, 0u);\n"
+    "#elif OIT_COLOR != OIT_COLOR_FLOAT\n"
+    "    return uvec4(OIT_WORD(at, OIT_AT_COLOR), OIT_WORD(at, OIT_AT_COLOR + 1), 0u, 0u);\n"
     "#else\n"
-    "    return oit_word[at + uint(OIT_AT_BLEND)];\n"
+    "    return uvec4(OIT_WORD(at, OIT_AT_COLOR), OIT_WORD(at, OIT_AT_COLOR + 1), OIT_WORD(at, OIT_AT_COLOR + 2),\n"
+    "                 OIT_WORD(at, OIT_AT_COLOR + 3));\n"
     "#endif\n"
-    "}\n"
-    "#endif\n",
+    "}\n",
     0};
 static const char *const oit_i_shader_oit_report_comp[] = {
     "#line 1\n"
@@ -636,6 +658,7 @@ static const char *const oit_i_shader_oit_spread_comp[] = {
     "{\n"
     "    atomicAdd(oit_pixel[OIT_LOST_PIXELS], 1u);\n"
     "    atomicAdd(oit_pixel[OIT_LOST], count);\n"
+    "    oit_pixel[OIT_LEFT(p)] = count | OIT_UNFIT;\n"
     "    for (uint c = 0u; c < 4u; ++c)\n"
     "        oit_pixel[OIT_TAIL(p) + c] = 0u;\n"
     "}\n"
@@ -664,12 +687,12 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "#line 1\n"
     "// For: oit_buffers.h\n"
     "// What a fragment shader calls: oit_store(fragment), or oit_store(color). Counts in the count pass; in the fill pass writes\n"
-    "// one record of OIT_WORDS words into the pixel's run. Records are written so that their words, compared one after the\n"
+    "// one record of OIT_VECTORS vectors into the pixel's run. Records are written so that their words, compared one after the\n"
     "// other, give the order in which they are composed: depth, part, key, and all else for fragments that tie.\n"
     "layout(early_fragment_tests) in;\n"
     "layout(std430, binding = OIT_BINDING_PIXELS) buffer oit_pixels { uint oit_pixel[]; };\n"
     "#if OIT_PASS == OIT_FILL\n"
-    "layout(std430, binding = OIT_BINDING_FRAGMENTS) writeonly buffer oit_fragments { uint oit_word[]; };\n"
+    "layout(std430, binding = OIT_BINDING_FRAGMENTS) writeonly buffer oit_fragments { OIT_VECTOR oit_data[]; };\n"
     "#endif\n"
     "\n"
     "#define OIT_BLEND_OVER 0u\n"
@@ -744,52 +767,58 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "void oit_write(uint at, oit_fragment f)\n"
     "{\n"
     "    vec4 color = oit_finite(f.color);\n"
-    "    oit_word[at++] = oit_depth_bits();\n"
+    "    uint w[OIT_VECTORS * OIT_LANES];\n"
+    "    for (int i = 0; i < OIT_VECTORS * OIT_LANES; ++i)\n"
+    "        w[i] = 0u;\n"
+    "    w[0] = oit_depth_bits();\n"
     "#if OIT_HAS_PART\n"
-    "    oit_word[at++] = f.part;\n"
+    "    w[OIT_AT_PART] = f.part;\n"
     "#endif\n"
     "#if OIT_HAS_KEY\n"
-    "    oit_word[at++] = f.key;\n"
+    "    w[OIT_AT_KEY] = f.key;\n"
     "#endif\n"
     "#if OIT_COLOR == OIT_COLOR_8\n"
-    "    uvec3 c = uvec3(clamp(color.rgb, 0.0, 1.0) * 255.0 + 0.5);\n"
-    "    uint packed_color = c.r | c.g << 8u | c.b << 16u;\n"
+    "    uvec3 c = uvec3(clamp(color.rgb, 0.0, 1.0) * 1023.0 + 0.5);\n"
+    "    w[OIT_AT_COLOR] = c.r | c.g << 10u | c.b << 20u;\n"
     "#if OIT_HAS_BLEND\n"
-    "    packed_color |= f.blend << 24u;\n"
+    "    w[OIT_AT_COLOR] |= f.blend << 30u;\n"
     "#endif\n"
-    "    oit_word[at++] = packed_color;\n"
-    "    oit_word[at++] = floatBitsToUint(color.a);\n"
+    "    w[OIT_AT_COLOR + 1] = floatBitsToUint(color.a);\n"
     "#elif OIT_COLOR == OIT_COLOR_HALF\n"
     "    vec3 c = clamp(color.rgb, -65504.0, 65504.0);\n"
-    "    oit_word[at++] = packHalf2x16(c.rg);\n"
-    "    oit_word[at++] = packHalf2x16(vec2(c.b, color.a));\n"
+    "    w[OIT_AT_COLOR] = packHalf2x16(c.rg);\n"
+    "    w[OIT_AT_COLOR + 1] = packHalf2x16(vec2(c.b, color.a));\n"
     "#else\n"
-    "    oit_word[at++] = floatBitsToUint(color.r);\n"
-    "    oit_word[at++] = floatBitsToUint(color.g);\n"
-    "    oit_word[at++] = floatBitsToUint(color.b);\n"
-    "    oit_word[at++] = floatBitsToUint(color.a);\n"
+    "    for (int i = 0; i < 4; ++i)\n"
+    "        w[OIT_AT_COLOR + i] = floatBitsToUint(color[i]);\n"
     "#endif\n"
     "#if OIT_HAS_BLEND && OIT_COLOR != OIT_COLOR_8\n"
-    "    oit_word[at++] = f.blend;\n"
+    "    w[OIT_AT_BLEND] = f.blend;\n"
     "#endif\n"
     "#if OIT_HAS_NORMAL\n"
-    "    oit_word[at++] = oit_pack_normal(f.normal);\n"
+    "    w[OIT_AT_NORMAL] = oit_pack_normal(f.normal);\n"
     "#endif\n"
     "#if OIT_HAS_UV\n"
-    "    oit_word[at++] = floatBitsToUint(f.uv.x);\n"
-    "    oit_word[at++] = floatBitsToUint(f.uv.y);\n"
+    "    w[OIT_AT_UV] = floatBitsToUint(f.uv.x);\n"
+    "    w[OIT_AT_UV + 1] = floatBitsToUint(f.uv.y);\n"
     "#endif\n"
     "#if OIT_HOST_WORDS > 0\n"
     "    for (int i = 0; i < OIT_HOST_WORDS; ++i)\n"
-    "        oit_word[at++] = f.words[i];\n"
+    "        w[OIT_AT_HOST + i] = f.words[i];\n"
+    "#endif\n"
+    "    for (int i = 0; i < OIT_VECTORS; ++i)\n"
+    "#if OIT_LANES == 4\n"
+    "        oit_data[at + uint(i)] = uvec4(w[4 * i], w[4 * i + 1], w[4 * i + 2], w[4 * i + 3]);\n"
+    "#else\n"
+    "        oit_data[at + uint(i)] = uvec2(w[2 * i], w[2 * i + 1]);\n"
     "#endif\n"
     "}\n"
     "\n"
     "#if OIT_ASYNC\n"
-    "// The tail: sums that do not depend on the order, in integers so that rounding does not either. The layers of a pixel are\n"
+    "// The tail: sums that do not depend on the order, in integers so that rounding does not either. The layers of a pixel are\n",
+    "#line 132\n"
     "// taken as mixed evenly: optical depths add, colours are weighted by them. Bits are shared out by the count of the\n"
-    "// pixel, so that no sum overflows: colours up to 4 and optical depths up to 11 make less than 64 a fragment.\n",
-    "#line 128\n"
+    "// pixel, so that no sum overflows: colours up to 4 and optical depths up to 11 make less than 64 a fragment.\n"
     "void oit_to_tail(uint p, uint count, oit_fragment f)\n"
     "{\n"
     "    vec4 color = oit_finite(f.color);\n"
@@ -827,20 +856,25 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "#if OIT_PASS == OIT_COUNT\n"
     "    atomicAdd(oit_pixel[OIT_LEFT(p)], 1u);\n"
     "#else\n"
-    "    uint start = oit_pixel[OIT_START(p)], end = oit_pixel[OIT_START(p + 1u)];\n"
     "    uint left = atomicAdd(oit_pixel[OIT_LEFT(p)], 0xffffffffu);\n"
-    "    // Nothing is written outside of the run, however many fragments come: 0, and what wraps below it, are beyond any count.\n"
-    "    if (left - 1u >= end - start) {\n"
-    "        atomicAdd(oit_pixel[OIT_EXTRA], 1u);\n"
-    "        return;\n"
-    "    }\n"
     "#if OIT_ASYNC\n"
-    "    if (end > oit_pool.z) {\n"
-    "        oit_to_tail(p, end - start, f);\n"
+    "    if (left >> 30u == 1u) { // OIT_UNFIT, and not what wraps below 0\n"
+    "        uint count = oit_pixel[OIT_START(p + 1u)] - oit_pixel[OIT_START(p)];\n"
+    "        if (left != OIT_UNFIT)\n"
+    "            oit_to_tail(p, count, f);\n"
+    "        else\n"
+    "            atomicAdd(oit_pixel[OIT_EXTRA], 1u);\n"
     "        return;\n"
     "    }\n"
     "#endif\n"
-    "    oit_write((start + left - 1u - oit_pool.y) * uint(OIT_WORDS), f);\n"
+    "    // Nothing is written outside of the run, however many fragments come: after as many as were counted, what is left is\n"
+    "    // 0, and then wraps to more than any pool holds.\n"
+    "    uint slot = oit_pixel[OIT_START(p)] + left - 1u - oit_pool.y;\n"
+    "    if (left - 1u >= oit_pool.z || slot >= oit_pool.z) {\n"
+    "        atomicAdd(oit_pixel[OIT_EXTRA], 1u);\n"
+    "        return;\n"
+    "    }\n"
+    "    oit_write(slot * uint(OIT_VECTORS), f);\n"
     "#endif\n"
     "}\n"
     "\n"
@@ -910,21 +944,31 @@ static const char *const oit_i_shader_oit_surface_frag[] = {
     "#line 1\n"
     "// For: oit_buffers.h\n"
     "// Built-in surfaces: the object's colour, lit from both sides where the frame has a light.\n"
-    "in vec3 oit_v_normal;\n"
-    "in vec4 oit_v_color;\n"
+    "#if OIT_PASS == OIT_FILL\n"
+    "in vec3 oit_v_color;\n"
     "uniform vec4 oit_object_color;\n"
-    "#if OIT_HAS_PART || OIT_HAS_KEY || OIT_HAS_BLEND\n"
+    "#endif\n"
+    "#if OIT_WANTS_NORMAL\n"
+    "in vec3 oit_v_normal;\n"
+    "#endif\n"
+    "#if OIT_PASS == OIT_FILL && (OIT_HAS_PART || OIT_HAS_KEY || OIT_HAS_BLEND)\n"
     "uniform uvec4 oit_object; // part, key, blend\n"
     "#endif\n"
     "\n"
     "void main()\n"
     "{\n"
+    "#if OIT_PASS == OIT_COUNT\n"
+    "    oit_store(vec4(0.0));\n"
+    "#else\n"
     "    vec4 color = oit_object_color;\n"
-    "    color.rgb += oit_v_color.rgb;\n"
+    "    color.rgb += oit_v_color;\n"
+    "#if OIT_WANTS_NORMAL\n"
     "    float size = dot(oit_v_normal, oit_v_normal);\n"
     "    vec3 normal = size > 1.0e-30 ? oit_v_normal * inversesqrt(size) : vec3(0.0, 0.0, 1.0);\n"
-    "    if (oit_light.xyz != vec3(0.0))\n"
-    "        color.rgb *= 0.35 + 0.65 * abs(dot(normal, oit_light.xyz));\n"
+    "#endif\n"
+    "#if OIT_LIT\n"
+    "    color.rgb *= 0.35 + 0.65 * abs(dot(normal, oit_light.xyz));\n"
+    "#endif\n"
     "#if OIT_PREMULTIPLIED\n"
     "    color.rgb *= color.a;\n"
     "#endif\n"
@@ -950,25 +994,35 @@ static const char *const oit_i_shader_oit_surface_frag[] = {
     "        f.words[i] = 0u;\n"
     "#endif\n"
     "    oit_store(f);\n"
+    "#endif\n"
     "}\n",
     0};
 static const char *const oit_i_shader_oit_surface_vert[] = {
     "#line 1\n"
     "// For: oit_buffers.h\n"
-    "// Built-in surfaces, for hosts without shaders: position, normal, colour to be added.\n"
+    "// Built-in surfaces, for hosts without shaders: position, normal, colour to be added. The count pass needs no more than\n"
+    "// the position.\n"
     "layout(location = 0) in vec3 oit_position;\n"
-    "layout(location = 1) in vec3 oit_normal;\n"
-    "layout(location = 3) in vec4 oit_vertex_color;\n"
     "uniform mat4 oit_model_view_projection;\n"
+    "#if OIT_PASS == OIT_FILL\n"
+    "layout(location = 3) in vec3 oit_vertex_color;\n"
+    "out vec3 oit_v_color;\n"
+    "#endif\n"
+    "#if OIT_WANTS_NORMAL\n"
+    "layout(location = 1) in vec3 oit_normal;\n"
     "uniform mat3 oit_normal_matrix;\n"
     "out vec3 oit_v_normal;\n"
-    "out vec4 oit_v_color;\n"
+    "#endif\n"
     "\n"
     "void main()\n"
     "{\n"
     "    gl_Position = oit_model_view_projection * vec4(oit_position, 1.0);\n"
-    "    oit_v_normal = oit_normal_matrix * oit_normal;\n"
+    "#if OIT_PASS == OIT_FILL\n"
     "    oit_v_color = oit_vertex_color;\n"
+    "#endif\n"
+    "#if OIT_WANTS_NORMAL\n"
+    "    oit_v_normal = oit_normal_matrix * oit_normal;\n"
+    "#endif\n"
     "}\n",
     0};
 static const char *const oit_i_shader_oit_tail_frag[] = {
@@ -1237,9 +1291,9 @@ enum { OIT_I_PIXELS, OIT_I_FRAGMENTS, OIT_I_REPORT, OIT_I_UNIFORMS = OIT_I_REPOR
 #define OIT_I_REPORTS 3
 
 /* Runs are composed by programs for so many fragments, the last for all that are deeper. */
-#define OIT_I_CLASSES 6
-static const int oit_i_class_sizes[OIT_I_CLASSES] = {4, 8, 16, 32, 64, 32};
-static const int oit_i_class_above[OIT_I_CLASSES] = {0, 4, 8, 16, 32, 64};
+#define OIT_I_CLASSES 5
+static const int oit_i_class_sizes[OIT_I_CLASSES] = {8, 16, 32, 64, 32};
+static const int oit_i_class_above[OIT_I_CLASSES] = {0, 8, 16, 32, 64};
 
 /* How a composed pixel goes into the target. */
 enum {
@@ -1257,6 +1311,7 @@ enum {
     OIT_I_PROGRAM_REPORT,
     OIT_I_PROGRAM_COUNT,
     OIT_I_PROGRAM_FILL,
+    OIT_I_PROGRAM_FILL_LIT,
     OIT_I_PROGRAM_COMPOSE, /* one a class, then that of the tail; all once more for the second draw */
     OIT_I_PROGRAMS = OIT_I_PROGRAM_COMPOSE + 2 * (OIT_I_CLASSES + 1)
 };
@@ -1328,7 +1383,7 @@ struct oit_context {
     const char *strings[OIT_STAGE_COUNT][2][OIT_I_MAX_STRINGS];
     int string_count[OIT_STAGE_COUNT][2];
     oit_i_u programs[OIT_I_PROGRAMS];
-    oit_i_surface surfaces[2];
+    oit_i_surface surfaces[3];
     oit_i_u buffers[OIT_I_BUFFER_COUNT], vertex_array;
     int64_t sizes[OIT_I_BUFFER_COUNT]; /* bytes held */
     oit_i_block block;                 /* as uploaded */
@@ -1996,27 +2051,41 @@ static void oit_i_define(oit_i_text *text, const char *name, int64_t value) {
     oit_i_put(text, "\n");
 }
 
-/* Words of a record before its colour, and in all. */
-static int oit_i_words_before_color(const oit_desc *desc) {
-    return 1 + ((desc->fields & OIT_FIELD_PART) != 0) + ((desc->fields & OIT_FIELD_KEY) != 0);
-}
+/* Where the words of a record lie, in the order in which they are compared; 0: not there. */
+typedef struct oit_i_record {
+    int part, key, color, blend, normal, uv, host, words, lanes;
+} oit_i_record;
 
-static int oit_i_color_words(const oit_desc *desc) {
-    return desc->color == OIT_COLOR_FLOAT ? 4 : 2;
-}
-
-static int oit_i_words(const oit_desc *desc) {
-    int words = oit_i_words_before_color(desc) + oit_i_color_words(desc) + desc->host_words;
-    words += (desc->fields & OIT_FIELD_BLEND) && desc->color != OIT_COLOR_8;
-    words += (desc->fields & OIT_FIELD_NORMAL) != 0;
-    words += (desc->fields & OIT_FIELD_UV) ? 2 : 0;
-    return words;
+static oit_i_record oit_i_layout(const oit_desc *desc) {
+    oit_i_record at;
+    int next = 1;
+    memset(&at, 0, sizeof at);
+    if (desc->fields & OIT_FIELD_PART)
+        at.part = next++;
+    if (desc->fields & OIT_FIELD_KEY)
+        at.key = next++;
+    at.color = next;
+    next += desc->color == OIT_COLOR_FLOAT ? 4 : 2;
+    if ((desc->fields & OIT_FIELD_BLEND) && desc->color != OIT_COLOR_8)
+        at.blend = next++;
+    if (desc->fields & OIT_FIELD_NORMAL)
+        at.normal = next++;
+    if (desc->fields & OIT_FIELD_UV) {
+        at.uv = next;
+        next += 2;
+    }
+    at.host = next;
+    next += desc->host_words;
+    /* In vectors, which drivers move at once: of four words, or of two where that saves memory. */
+    at.words = (next + 1) / 2 * 2;
+    at.lanes = at.words % 4 == 0 ? 4 : 2;
+    return at;
 }
 
 /* What every stage begins with, after the version: what was chosen at creation. */
 static void oit_i_write_preamble(const oit_desc *desc, int es, char *at, size_t capacity) {
     oit_i_text text = oit_i_text_in(at, capacity);
-    int color = oit_i_words_before_color(desc);
+    oit_i_record record = oit_i_layout(desc);
     if (es)
         oit_i_put(&text, "precision highp float;\nprecision highp int;\n");
     oit_i_define(&text, "OIT_BINDING_PIXELS", desc->first_storage_binding + OIT_I_PIXELS);
@@ -2032,9 +2101,16 @@ static void oit_i_write_preamble(const oit_desc *desc, int es, char *at, size_t 
     oit_i_define(&text, "OIT_HAS_NORMAL", (desc->fields & OIT_FIELD_NORMAL) != 0);
     oit_i_define(&text, "OIT_HAS_UV", (desc->fields & OIT_FIELD_UV) != 0);
     oit_i_define(&text, "OIT_HOST_WORDS", desc->host_words);
-    oit_i_define(&text, "OIT_WORDS", oit_i_words(desc));
-    oit_i_define(&text, "OIT_AT_COLOR", color);
-    oit_i_define(&text, "OIT_AT_BLEND", color + oit_i_color_words(desc));
+    oit_i_define(&text, "OIT_LANES", record.lanes);
+    oit_i_define(&text, "OIT_VECTORS", record.words / record.lanes);
+    oit_i_put(&text, record.lanes == 4 ? "#define OIT_VECTOR uvec4\n" : "#define OIT_VECTOR uvec2\n");
+    oit_i_define(&text, "OIT_AT_PART", record.part);
+    oit_i_define(&text, "OIT_AT_KEY", record.key);
+    oit_i_define(&text, "OIT_AT_COLOR", record.color);
+    oit_i_define(&text, "OIT_AT_BLEND", record.blend);
+    oit_i_define(&text, "OIT_AT_NORMAL", record.normal);
+    oit_i_define(&text, "OIT_AT_UV", record.uv);
+    oit_i_define(&text, "OIT_AT_HOST", record.host);
     oit_i_define(&text, "OIT_COLOR", (int)desc->color);
     oit_i_put(&text, "#define OIT_COLOR_8 0\n#define OIT_COLOR_HALF 1\n#define OIT_COLOR_FLOAT 2\n");
     oit_i_put(&text, "#define OIT_COUNT 0\n#define OIT_FILL 1\n");
@@ -2121,22 +2197,23 @@ static void oit_i_put_network(oit_i_text *text, int size) {
     oit_i_put(text, "return tie;\n}\n");
 }
 
-/* oit_select: of n records the `size` first that come after (depth, from), by depth and then by where they lie. */
+/* oit_select: of n records the `size` first that come after (depth, from), by depth and then by where they lie. The last
+   is there to be looked at: (depth, from) becomes the one before it. */
 static void oit_i_put_selection(oit_i_text *text, int size) {
     int i;
     oit_i_put(text, "void oit_select(uint base, uint n, bool more, inout uint depth, inout uint from)\n{\n");
     for (i = 0; i < size; ++i)
         oit_i_put_pair(text, "D(d", i, -1);
-    oit_i_put(text, "for (uint i = 0u; i < n; ++i) {\nuint y = base + i * uint(OIT_WORDS), x = oit_word[y];\n"
+    oit_i_put(text, "for (uint i = 0u; i < n; ++i) {\nuint y = base + i * uint(OIT_VECTORS), x = oit_record_depth(y);\n"
                     "if (x >= d");
     oit_i_put_number(text, size - 1);
     oit_i_put(text, " || (more && (x < depth || (x == depth && y <= from))))\ncontinue;\nbool s = false;\n");
     for (i = 0; i < size; ++i)
         oit_i_put_pair(text, "I(d", i, -1);
     oit_i_put(text, "}\ndepth = d");
-    oit_i_put_number(text, size - 1);
+    oit_i_put_number(text, size - 2);
     oit_i_put(text, ";\nfrom = o");
-    oit_i_put_number(text, size - 1);
+    oit_i_put_number(text, size - 2);
     oit_i_put(text, ";\n");
     oit_i_put_order(text, size);
     oit_i_put(text, "}\n");
@@ -2164,7 +2241,7 @@ static void oit_i_compose_source(oit_i_source *source, int index, int mode, char
     network = text.length + 1;
     text = oit_i_text_in(scratch + network, OIT_I_NETWORK_CAPACITY - network);
     if (deep)
-        oit_i_put_selection(&text, oit_i_class_sizes[index]);
+        oit_i_put_selection(&text, oit_i_class_sizes[index] + 1);
     else
         oit_i_put_network(&text, oit_i_class_sizes[index]);
     oit_i_add(source, scratch + network);
@@ -2186,12 +2263,20 @@ static int oit_i_is_compute(int program) {
     return program <= OIT_I_PROGRAM_REPORT;
 }
 
+static int oit_i_is_surface(int program) {
+    return program >= OIT_I_PROGRAM_COUNT && program <= OIT_I_PROGRAM_FILL_LIT;
+}
+
 /* The whole text of one stage of a built-in program; dual: there is dual-source blending. */
 static void oit_i_program_source(oit_i_source *source, int program, oit_stage stage, const oit_desc *desc, int es,
                                  const char *preamble, char *scratch) {
     int index = program - OIT_I_PROGRAM_COMPOSE, mode = OIT_I_MODE_OVER;
-    if (program == OIT_I_PROGRAM_COUNT || program == OIT_I_PROGRAM_FILL) {
-        oit_i_host_source(source, stage, program == OIT_I_PROGRAM_FILL, es, preamble);
+    if (oit_i_is_surface(program)) {
+        int fill = program != OIT_I_PROGRAM_COUNT, lit = program == OIT_I_PROGRAM_FILL_LIT;
+        oit_i_host_source(source, stage, fill, es, preamble);
+        oit_i_add(source, lit ? "#define OIT_LIT 1\n" : "#define OIT_LIT 0\n");
+        oit_i_add(source, lit || (fill && (desc->fields & OIT_FIELD_NORMAL)) ? "#define OIT_WANTS_NORMAL 1\n"
+                                                                             : "#define OIT_WANTS_NORMAL 0\n");
         oit_i_add_chunks(source, stage == OIT_VERTEX ? oit_i_shader_oit_surface_vert : oit_i_shader_oit_surface_frag);
         return;
     }
@@ -2283,7 +2368,7 @@ static oit_result oit_i_make_program(oit_context *oit, int program) {
     oit->desc.free_fn(scratch, oit->desc.alloc_user);
     if (!oit->programs[program])
         return oit_i_fail(&oit->desc, OIT_SHADER_FAILED, "oit_begin", oit_result_string(OIT_SHADER_FAILED));
-    if (program == OIT_I_PROGRAM_COUNT || program == OIT_I_PROGRAM_FILL)
+    if (oit_i_is_surface(program))
         oit_i_find_uniforms(oit, program);
     return OIT_OK;
 }
@@ -2352,7 +2437,7 @@ static oit_result oit_i_set_up(oit_context *oit) {
         return result;
     oit_i_find_state_limits(oit);
     oit_i_limit_blocks(oit);
-    oit->info.fragment_bytes = 4 * oit_i_words(&oit->desc);
+    oit->info.fragment_bytes = 4 * oit_i_layout(&oit->desc).words;
     oit_i_write_preamble(&oit->desc, oit->info.es, oit->preamble, sizeof oit->preamble);
     oit_i_assemble_host_sources(oit);
     return OIT_OK;
@@ -2672,6 +2757,14 @@ static void oit_i_unit_vector(float out[4], const float in[3]) {
         out[i] = length > 0.0 ? (float)((double)in[i] / length) : 0.0f;
 }
 
+/* The largest program for runs of up to so many fragments that the depth of the image calls for. */
+static oit_i_u oit_i_sorted_depth(oit_i_u deepest) {
+    int i = 0;
+    while (i < OIT_I_CLASSES - 2 && deepest > (oit_i_u)oit_i_class_sizes[i])
+        ++i;
+    return (oit_i_u)oit_i_class_sizes[i];
+}
+
 static oit_i_block oit_i_make_block(const oit_context *oit) {
     const oit_frame *frame = &oit->frame;
     float weight = frame->background_weight;
@@ -2687,6 +2780,7 @@ static oit_i_block oit_i_make_block(const oit_context *oit) {
     block.pool[2] = oit->capacity;
     block.pool[3] = oit_i_blocks(pixels);
     block.step[0] = oit->slab_y == 0;
+    block.step[1] = oit_i_sorted_depth(oit->desc.fit == OIT_FIT_WAIT ? oit->deepest : oit->report.deepest);
     oit_i_unit_vector(block.light, frame->light);
     block.light[3] = weight == 0.0f ? 1.0f : weight < 0.0f ? 0.0f : weight > 1.0f ? 1.0f : weight;
     return block;
@@ -2812,6 +2906,10 @@ static int oit_i_is_hosts(oit_pass_kind kind) {
     return kind == OIT_PASS_COUNT || kind == OIT_PASS_FILL;
 }
 
+static int oit_i_is_lit(const oit_context *oit) {
+    return oit->block.light[0] != 0.0f || oit->block.light[1] != 0.0f || oit->block.light[2] != 0.0f;
+}
+
 static int oit_i_program_of(const oit_context *oit, oit_pass_kind kind) {
     switch (kind) {
     case OIT_PASS_CLEAR:
@@ -2827,7 +2925,7 @@ static int oit_i_program_of(const oit_context *oit, oit_pass_kind kind) {
     case OIT_PASS_REPORT:
         return OIT_I_PROGRAM_REPORT;
     case OIT_PASS_FILL:
-        return OIT_I_PROGRAM_FILL;
+        return oit_i_is_lit(oit) ? OIT_I_PROGRAM_FILL_LIT : OIT_I_PROGRAM_FILL;
     default:
         return OIT_I_PROGRAM_COMPOSE + oit->compose_index;
     }
@@ -3009,12 +3107,12 @@ static int oit_i_is_last_part(const oit_context *oit) {
            oit->slab_y + oit->slab_rows == oit->frame.height;
 }
 
-/* Draws of a class that no pixel is in are left out, where it is known. */
+/* Programs up to the depth that is known, or was last heard of; pixels that are deeper even so are left to the last. */
 static int oit_i_is_needed(const oit_context *oit, int draw) {
-    int index = draw % (OIT_I_CLASSES + 1);
-    if (oit->desc.fit == OIT_FIT_ASYNC)
-        return 1;
-    return index < OIT_I_CLASSES && oit->deepest > (oit_i_u)oit_i_class_above[index];
+    int index = draw % (OIT_I_CLASSES + 1), deep = index == OIT_I_CLASSES - 1, wait = oit->desc.fit == OIT_FIT_WAIT;
+    if (index == OIT_I_CLASSES || deep)
+        return !wait || (deep && oit->deepest > oit->block.step[1]);
+    return (oit_i_u)oit_i_class_sizes[index] <= oit->block.step[1];
 }
 
 static void oit_i_skip_draws(oit_context *oit) {
@@ -3153,7 +3251,7 @@ OIT_I_API void oit_set_material(oit_context *oit, const oit_pass *pass, const oi
     oit_i_u object[4];
     if (!oit || !pass || !material || !oit_i_is_hosts(pass->kind))
         return;
-    surface = &oit->surfaces[pass->kind == OIT_PASS_FILL];
+    surface = &oit->surfaces[oit_i_program_of(oit, pass->kind) - OIT_I_PROGRAM_COUNT];
     object[0] = material->part;
     object[1] = material->key;
     object[2] = material->blend;

@@ -1,6 +1,6 @@
 // For: oit_buffers.h
 // The pixels whose runs have more than OIT_ABOVE and at most OIT_CLASS records, composed over the target; with OIT_DEEP
-// all that have more, OIT_CLASS records at a time.
+// all that are deeper than the programs that were drawn before, OIT_CLASS records at a time.
 #if OIT_MODE == OIT_MODE_DUAL
 layout(location = 0, index = 0) out highp vec4 oit_out;
 layout(location = 0, index = 1) out highp vec4 oit_keep;
@@ -8,19 +8,19 @@ layout(location = 0, index = 1) out highp vec4 oit_keep;
 layout(location = 0) out highp vec4 oit_out;
 #endif
 
-// Lays the first m of oit_order. With ties, all records of that depth are laid when the first of them is met; beyond
-// the last of a block there may be more of its depth.
-void oit_lay_sorted(uint base, uint n, uint m, bool tie, inout uint grouped)
+// Lays the first m of oit_order, which holds `known`. With ties, all records of that depth, be they in this block or not,
+// are laid when the first of them is met.
+void oit_lay_sorted(uint base, uint n, uint m, uint known, bool tie, inout uint grouped)
 {
     for (uint i = 0u; i < m && oit_visible(); ++i) {
         uint at = oit_order[i];
         bool alone = true;
         uint depth = 0u;
         if (tie) {
-            depth = oit_word[at];
+            depth = oit_record_depth(at);
             if (depth == grouped)
                 continue;
-            alone = i + 1u < m ? oit_word[oit_order[i + 1u]] != depth : OIT_DEEP == 0;
+            alone = i + 1u >= known || oit_record_depth(oit_order[i + 1u]) != depth;
         }
         if (alone) {
             oit_lay(at);
@@ -37,14 +37,13 @@ void oit_lay_run(uint base, uint n)
 #if OIT_DEEP
     uint depth = 0u, at = 0u;
     for (uint done = 0u; done < n && oit_visible(); done += uint(OIT_CLASS)) {
+        // One more than are laid, to see whether it ties with the last of them.
         oit_select(base, n, done > 0u, depth, at);
-        oit_lay_sorted(base, n, min(uint(OIT_CLASS), n - done), true, grouped);
+        oit_lay_sorted(base, n, min(uint(OIT_CLASS), n - done), min(uint(OIT_CLASS + 1), n - done), true, grouped);
     }
-#elif OIT_CLASS == 1
-    oit_lay(base);
 #else
     bool tie = oit_sort(base, n);
-    oit_lay_sorted(base, n, n, tie, grouped);
+    oit_lay_sorted(base, n, n, n, tie, grouped);
 #endif
 }
 
@@ -60,9 +59,14 @@ void main()
     // Fragments that were counted and did not come have left the first places empty.
     start += uint(max(int(oit_pixel[OIT_LEFT(p)]), 0));
     uint n = end - start;
-    if (n <= uint(OIT_ABOVE) || (OIT_DEEP == 0 && n > uint(OIT_CLASS)))
+#if OIT_DEEP
+    if (n <= oit_step.y)
         discard;
-    oit_lay_run((start - oit_pool.y) * uint(OIT_WORDS), n);
+#else
+    if (n <= uint(OIT_ABOVE) || n > uint(OIT_CLASS))
+        discard;
+#endif
+    oit_lay_run((start - oit_pool.y) * uint(OIT_VECTORS), n);
 #if OIT_MODE == OIT_MODE_DUAL
     oit_out = vec4(oit_sum, 0.0);
     oit_keep = vec4(oit_light.w * oit_through, 0.0);

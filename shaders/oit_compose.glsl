@@ -21,14 +21,19 @@ bool oit_visible()
 
 void oit_lay(uint at)
 {
-    vec4 color = oit_record_color(at);
+    uvec4 words = oit_record_words(at);
+    vec4 color = oit_unpack_color(words);
 #if OIT_PREMULTIPLIED
     vec3 light = color.rgb;
 #else
     vec3 light = color.a * color.rgb;
 #endif
 #if OIT_HAS_BLEND
-    uint blend = oit_record_blend(at);
+#if OIT_COLOR == OIT_COLOR_8
+    uint blend = words.x >> 30u;
+#else
+    uint blend = OIT_WORD(at, OIT_AT_BLEND);
+#endif
     if (blend == 2u) { // multiply: seen through a filter of that colour
         oit_through *= 1.0 - color.a + light;
         return;
@@ -49,8 +54,8 @@ void oit_lay_group(uint base, uint count, uint depth)
     for (;;) {
         uint best = OIT_NONE;
         for (uint i = 0u; i < count; ++i) {
-            uint at = base + i * uint(OIT_WORDS);
-            if (oit_word[at] != depth || (last != OIT_NONE && !oit_after(at, last)))
+            uint at = base + i * uint(OIT_VECTORS);
+            if (oit_record_depth(at) != depth || (last != OIT_NONE && !oit_after(at, last)))
                 continue;
             if (best == OIT_NONE || oit_after(best, at))
                 best = at;
@@ -63,9 +68,9 @@ void oit_lay_group(uint base, uint count, uint depth)
 }
 
 // What oit_i_add_network writes is made of these: registers d (depth) and o (where the record lies).
-#define L(d, o, i) uint d = OIT_NONE, o = base; if (i < n) { o = base + i * uint(OIT_WORDS); d = oit_word[o]; }
+#define L(d, o, i) uint d = OIT_NONE, o = base; if (i < n) { o = base + i * uint(OIT_VECTORS); d = oit_record_depth(o); }
 #define S(d, o, e, p) { bool g = e < d; uint t = g ? p : o; p = g ? o : p; o = t; t = min(d, e); e = max(d, e); d = t; }
 #define T(d, e, i) tie = tie || (d == e && i < n);
 #define D(d, o) uint d = OIT_NONE, o = base;
 #define I(d, o) { s = s || x < d; uint t = d; d = s ? x : d; x = s ? t : x; t = o; o = s ? y : o; y = s ? t : y; }
-uint oit_order[OIT_CLASS];
+uint oit_order[OIT_CLASS + OIT_DEEP];

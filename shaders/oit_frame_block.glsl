@@ -4,7 +4,7 @@ layout(std140, binding = OIT_UNIFORM_BINDING) uniform oit_frame
 {
     highp ivec4 oit_area;  // x, y of the slab's corner in the target, its width and height
     highp uvec4 oit_pool;  // x: pixels of the slab, y: first fragment of the band, z: capacity, w: blocks of the scan
-    highp uvec4 oit_step;  // x: 1 with the first slab of a frame
+    highp uvec4 oit_step;  // x: 1 with the first slab of a frame, y: what is deeper is left to the program for all depths
     highp vec4 oit_light;  // xyz: toward the light, unit length; zero: no shading. w: weight of the background
 };
 
@@ -21,6 +21,9 @@ layout(std140, binding = OIT_UNIFORM_BINDING) uniform oit_frame
 #define OIT_LEFT(p) (OIT_HEADER + 1u + 2u * (p))
 #define OIT_SUM(b) (OIT_HEADER + 2u + 2u * oit_pool.x + (b))
 #define OIT_TAIL(p) (OIT_HEADER + 2u + 2u * oit_pool.x + oit_pool.w + 4u * (p))
+
+// With what is to come of a pixel whose run does not fit. A pixel has less than 2^30 fragments.
+#define OIT_UNFIT 0x40000000u
 
 // A block of the scan: 128 invocations of 8 pixels each.
 #define OIT_BLOCK 1024u

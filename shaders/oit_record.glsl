@@ -1,7 +1,7 @@
 // For: oit_buffers.h
 // Records read back: the order of two, colour, how it is laid over what is behind.
 layout(std430, binding = OIT_BINDING_PIXELS) readonly buffer oit_pixels { uint oit_pixel[]; };
-layout(std430, binding = OIT_BINDING_FRAGMENTS) readonly buffer oit_fragments { uint oit_word[]; };
+layout(std430, binding = OIT_BINDING_FRAGMENTS) readonly buffer oit_fragments { OIT_VECTOR oit_data[]; };
 
 #define OIT_NONE 0xffffffffu
 
@@ -9,34 +9,44 @@ layout(std430, binding = OIT_BINDING_FRAGMENTS) readonly buffer oit_fragments { 
 // that are alike in every word.
 bool oit_after(uint a, uint b)
 {
-    for (uint i = 0u; i < uint(OIT_WORDS); ++i) {
-        uint x = oit_word[a + i], y = oit_word[b + i];
-        if (x != y)
-            return x > y;
+    for (uint i = 0u; i < uint(OIT_VECTORS); ++i) {
+        OIT_VECTOR x = oit_data[a + i], y = oit_data[b + i];
+        for (int k = 0; k < OIT_LANES; ++k)
+            if (x[k] != y[k])
+                return x[k] > y[k];
     }
     return a > b;
 }
 
-vec4 oit_record_color(uint at)
+// Word i of the record at `at`; i is a constant.
+#define OIT_WORD(at, i) oit_data[(at) + uint((i) / OIT_LANES)][(i) % OIT_LANES]
+
+uint oit_record_depth(uint at)
+{
+    return oit_data[at].x;
+}
+
+vec4 oit_unpack_color(uvec4 w)
 {
 #if OIT_COLOR == OIT_COLOR_8
-    uint c = oit_word[at + uint(OIT_AT_COLOR)];
-    return vec4(vec3(uvec3(c, c >> 8u, c >> 16u) & 255u) * (1.0 / 255.0), uintBitsToFloat(oit_word[at + uint(OIT_AT_COLOR + 1)]));
+    return vec4(vec3(uvec3(w.x, w.x >> 10u, w.x >> 20u) & 1023u) * (1.0 / 1023.0), uintBitsToFloat(w.y));
 #elif OIT_COLOR == OIT_COLOR_HALF
-    return vec4(unpackHalf2x16(oit_word[at + uint(OIT_AT_COLOR)]), unpackHalf2x16(oit_word[at + uint(OIT_AT_COLOR + 1)]));
+    return vec4(unpackHalf2x16(w.x), unpackHalf2x16(w.y));
 #else
-    return vec4(uintBitsToFloat(oit_word[at + uint(OIT_AT_COLOR)]), uintBitsToFloat(oit_word[at + uint(OIT_AT_COLOR + 1)]),
-                uintBitsToFloat(oit_word[at + uint(OIT_AT_COLOR + 2)]), uintBitsToFloat(oit_word[at + uint(OIT_AT_COLOR + 3)]));
+    return uintBitsToFloat(w);
 #endif
 }
 
-#if OIT_HAS_BLEND
-uint oit_record_blend(uint at)
+// The words of the colour; of one vector where they lie in one, which some drivers load much faster.
+uvec4 oit_record_words(uint at)
 {
-#if OIT_COLOR == OIT_COLOR_8
-    return oit_word[at + uint(OIT_AT_COLOR)] >> 24u;
+#if OIT_COLOR != OIT_COLOR_FLOAT && OIT_LANES == 4 && OIT_AT_COLOR < 3
+    uvec4 w = oit_data[at];
+    return uvec4(w[OIT_AT_COLOR], w[OIT_AT_COLOR + 1], 0u, 0u);
+#elif OIT_COLOR != OIT_COLOR_FLOAT
+    return uvec4(OIT_WORD(at, OIT_AT_COLOR), OIT_WORD(at, OIT_AT_COLOR + 1), 0u, 0u);
 #else
-    return oit_word[at + uint(OIT_AT_BLEND)];
+    return uvec4(OIT_WORD(at, OIT_AT_COLOR), OIT_WORD(at, OIT_AT_COLOR + 1), OIT_WORD(at, OIT_AT_COLOR + 2),
+                 OIT_WORD(at, OIT_AT_COLOR + 3));
 #endif
 }
-#endif

@@ -8,6 +8,7 @@ void oit_lose(uint p, uint count)
 {
     atomicAdd(oit_pixel[OIT_LOST_PIXELS], 1u);
     atomicAdd(oit_pixel[OIT_LOST], count);
+    oit_pixel[OIT_LEFT(p)] = count | OIT_UNFIT;
     for (uint c = 0u; c < 4u; ++c)
         oit_pixel[OIT_TAIL(p) + c] = 0u;
 }

@@ -1,11 +1,11 @@
 // For: oit_buffers.h
 // What a fragment shader calls: oit_store(fragment), or oit_store(color). Counts in the count pass; in the fill pass writes
-// one record of OIT_WORDS words into the pixel's run. Records are written so that their words, compared one after the
+// one record of OIT_VECTORS vectors into the pixel's run. Records are written so that their words, compared one after the
 // other, give the order in which they are composed: depth, part, key, and all else for fragments that tie.
 layout(early_fragment_tests) in;
 layout(std430, binding = OIT_BINDING_PIXELS) buffer oit_pixels { uint oit_pixel[]; };
 #if OIT_PASS == OIT_FILL
-layout(std430, binding = OIT_BINDING_FRAGMENTS) writeonly buffer oit_fragments { uint oit_word[]; };
+layout(std430, binding = OIT_BINDING_FRAGMENTS) writeonly buffer oit_fragments { OIT_VECTOR oit_data[]; };
 #endif
 
 #define OIT_BLEND_OVER 0u
@@ -80,44 +80,50 @@ uint oit_pack_normal(vec3 n)
 void oit_write(uint at, oit_fragment f)
 {
     vec4 color = oit_finite(f.color);
-    oit_word[at++] = oit_depth_bits();
+    uint w[OIT_VECTORS * OIT_LANES];
+    for (int i = 0; i < OIT_VECTORS * OIT_LANES; ++i)
+        w[i] = 0u;
+    w[0] = oit_depth_bits();
 #if OIT_HAS_PART
-    oit_word[at++] = f.part;
+    w[OIT_AT_PART] = f.part;
 #endif
 #if OIT_HAS_KEY
-    oit_word[at++] = f.key;
+    w[OIT_AT_KEY] = f.key;
 #endif
 #if OIT_COLOR == OIT_COLOR_8
-    uvec3 c = uvec3(clamp(color.rgb, 0.0, 1.0) * 255.0 + 0.5);
-    uint packed_color = c.r | c.g << 8u | c.b << 16u;
+    uvec3 c = uvec3(clamp(color.rgb, 0.0, 1.0) * 1023.0 + 0.5);
+    w[OIT_AT_COLOR] = c.r | c.g << 10u | c.b << 20u;
 #if OIT_HAS_BLEND
-    packed_color |= f.blend << 24u;
+    w[OIT_AT_COLOR] |= f.blend << 30u;
 #endif
-    oit_word[at++] = packed_color;
-    oit_word[at++] = floatBitsToUint(color.a);
+    w[OIT_AT_COLOR + 1] = floatBitsToUint(color.a);
 #elif OIT_COLOR == OIT_COLOR_HALF
     vec3 c = clamp(color.rgb, -65504.0, 65504.0);
-    oit_word[at++] = packHalf2x16(c.rg);
-    oit_word[at++] = packHalf2x16(vec2(c.b, color.a));
+    w[OIT_AT_COLOR] = packHalf2x16(c.rg);
+    w[OIT_AT_COLOR + 1] = packHalf2x16(vec2(c.b, color.a));
 #else
-    oit_word[at++] = floatBitsToUint(color.r);
-    oit_word[at++] = floatBitsToUint(color.g);
-    oit_word[at++] = floatBitsToUint(color.b);
-    oit_word[at++] = floatBitsToUint(color.a);
+    for (int i = 0; i < 4; ++i)
+        w[OIT_AT_COLOR + i] = floatBitsToUint(color[i]);
 #endif
 #if OIT_HAS_BLEND && OIT_COLOR != OIT_COLOR_8
-    oit_word[at++] = f.blend;
+    w[OIT_AT_BLEND] = f.blend;
 #endif
 #if OIT_HAS_NORMAL
-    oit_word[at++] = oit_pack_normal(f.normal);
+    w[OIT_AT_NORMAL] = oit_pack_normal(f.normal);
 #endif
 #if OIT_HAS_UV
-    oit_word[at++] = floatBitsToUint(f.uv.x);
-    oit_word[at++] = floatBitsToUint(f.uv.y);
+    w[OIT_AT_UV] = floatBitsToUint(f.uv.x);
+    w[OIT_AT_UV + 1] = floatBitsToUint(f.uv.y);
 #endif
 #if OIT_HOST_WORDS > 0
     for (int i = 0; i < OIT_HOST_WORDS; ++i)
-        oit_word[at++] = f.words[i];
+        w[OIT_AT_HOST + i] = f.words[i];
+#endif
+    for (int i = 0; i < OIT_VECTORS; ++i)
+#if OIT_LANES == 4
+        oit_data[at + uint(i)] = uvec4(w[4 * i], w[4 * i + 1], w[4 * i + 2], w[4 * i + 3]);
+#else
+        oit_data[at + uint(i)] = uvec2(w[2 * i], w[2 * i + 1]);
 #endif
 }
 
@@ -162,20 +168,25 @@ void oit_store(oit_fragment f)
 #if OIT_PASS == OIT_COUNT
     atomicAdd(oit_pixel[OIT_LEFT(p)], 1u);
 #else
-    uint start = oit_pixel[OIT_START(p)], end = oit_pixel[OIT_START(p + 1u)];
     uint left = atomicAdd(oit_pixel[OIT_LEFT(p)], 0xffffffffu);
-    // Nothing is written outside of the run, however many fragments come: 0, and what wraps below it, are beyond any count.
-    if (left - 1u >= end - start) {
-        atomicAdd(oit_pixel[OIT_EXTRA], 1u);
-        return;
-    }
 #if OIT_ASYNC
-    if (end > oit_pool.z) {
-        oit_to_tail(p, end - start, f);
+    if (left >> 30u == 1u) { // OIT_UNFIT, and not what wraps below 0
+        uint count = oit_pixel[OIT_START(p + 1u)] - oit_pixel[OIT_START(p)];
+        if (left != OIT_UNFIT)
+            oit_to_tail(p, count, f);
+        else
+            atomicAdd(oit_pixel[OIT_EXTRA], 1u);
         return;
     }
 #endif
-    oit_write((start + left - 1u - oit_pool.y) * uint(OIT_WORDS), f);
+    // Nothing is written outside of the run, however many fragments come: after as many as were counted, what is left is
+    // 0, and then wraps to more than any pool holds.
+    uint slot = oit_pixel[OIT_START(p)] + left - 1u - oit_pool.y;
+    if (left - 1u >= oit_pool.z || slot >= oit_pool.z) {
+        atomicAdd(oit_pixel[OIT_EXTRA], 1u);
+        return;
+    }
+    oit_write(slot * uint(OIT_VECTORS), f);
 #endif
 }
 

@@ -1,20 +1,30 @@
 // For: oit_buffers.h
 // Built-in surfaces: the object's colour, lit from both sides where the frame has a light.
-in vec3 oit_v_normal;
-in vec4 oit_v_color;
+#if OIT_PASS == OIT_FILL
+in vec3 oit_v_color;
 uniform vec4 oit_object_color;
-#if OIT_HAS_PART || OIT_HAS_KEY || OIT_HAS_BLEND
+#endif
+#if OIT_WANTS_NORMAL
+in vec3 oit_v_normal;
+#endif
+#if OIT_PASS == OIT_FILL && (OIT_HAS_PART || OIT_HAS_KEY || OIT_HAS_BLEND)
 uniform uvec4 oit_object; // part, key, blend
 #endif
 
 void main()
 {
+#if OIT_PASS == OIT_COUNT
+    oit_store(vec4(0.0));
+#else
     vec4 color = oit_object_color;
-    color.rgb += oit_v_color.rgb;
+    color.rgb += oit_v_color;
+#if OIT_WANTS_NORMAL
     float size = dot(oit_v_normal, oit_v_normal);
     vec3 normal = size > 1.0e-30 ? oit_v_normal * inversesqrt(size) : vec3(0.0, 0.0, 1.0);
-    if (oit_light.xyz != vec3(0.0))
-        color.rgb *= 0.35 + 0.65 * abs(dot(normal, oit_light.xyz));
+#endif
+#if OIT_LIT
+    color.rgb *= 0.35 + 0.65 * abs(dot(normal, oit_light.xyz));
+#endif
 #if OIT_PREMULTIPLIED
     color.rgb *= color.a;
 #endif
@@ -40,4 +50,5 @@ void main()
         f.words[i] = 0u;
 #endif
     oit_store(f);
+#endif
 }

@@ -128,7 +128,7 @@ static void check(setting *t, oit_scene *s, const char *name, double tolerance) 
     oit_truth *truth = malloc(pixels * sizeof *truth);
     double left_out = oit_truth_render(s, truth);
     float *picture = draw(t, s, NULL);
-    oit_report report;
+    oit_report report = {0};
     assert_int_equal(oit_get_report(t->oit, &report), OIT_OK);
     double worst = worst_error(s, truth, picture, &where);
     printf("    %-28s max %.3g (allowed %.3g), %4.1f %% left out, %u fragments, deepest %u, bands %u\n", name, worst,
@@ -162,13 +162,13 @@ static void check_scenes(bool es, oit_desc desc, GLenum format, double tolerance
         check(&t, s, name, tolerance);
         oit_scene_drop(s);
     }
-    make_target(&t, 96, 96, format, GL_DEPTH_COMPONENT32F);
-    oit_scene_init(s, 96, 96);
+    make_target(&t, 128, 128, format, GL_DEPTH_COMPONENT32F);
+    oit_scene_init(s, 128, 128);
     oit_scene_random_balls(s, 6, 16, 0.4);
     s->truths[2].transparent = false;
     check(&t, s, "balls, one opaque", tolerance);
     oit_scene_drop(s);
-    oit_scene_init(s, 96, 96);
+    oit_scene_init(s, 128, 128);
     oit_scene_sheets(s, 12, 0.3, true);
     check(&t, s, "sheets that intersect", tolerance);
     oit_scene_drop(s);
@@ -194,11 +194,408 @@ static void test_es_scenes_match_reference(void **state) {
     check_scenes(true, desc, GL_RGBA8, tolerance_8);
 }
 
+/* ---- the same bits ---- */
+
+static void expect_same(const setting *t, const float *a, const float *b, const char *what) {
+    size_t bytes = 4 * (size_t)t->width * (size_t)t->height * sizeof *a;
+    if (memcmp(a, b, bytes) != 0)
+        fail_msg("%s: the pictures differ", what);
+}
+
+/* Coincident sheets and sheets that intersect, in eight orders and again; with ties in depth that parts, keys or nothing
+ * but the colours tell apart. */
+static void check_orders(oit_desc desc) {
+    setting t;
+    oit_scene *s = malloc(sizeof *s);
+    size_t order[OIT_SCENE_MAX];
+    uint32_t state = 3;
+    const double depth[4] = {0.25, 0.25, 0.25, 0.25};
+    open_setting(&t, false, 64, 64, GL_RGBA32F, desc);
+    oit_scene_init(s, 64, 64);
+    oit_scene_sheets(s, 40, 0.1, true);
+    for (int i = 0; i < 40; ++i) {
+        const double color[4] = {oit_scene_random(&state), oit_scene_random(&state), 0.5, 0.3};
+        size_t at = oit_scene_quad(s, -1, -1, i % 3 ? 1 : 0.1, 1, depth, color);
+        s->objects[at].part = i % 2 ? 7 : (uint32_t)i;
+        s->objects[at].key = (uint32_t)(i * 37 % 11);
+    }
+    for (int warm = 0; warm < 3; ++warm) /* OIT_FIT_ASYNC learns what it needs */
+        free(draw(&t, s, NULL));
+    float *first = draw(&t, s, NULL);
+    for (int run = 0; run < 9; ++run) {
+        for (size_t i = 0; i < s->count; ++i)
+            order[i] = i;
+        for (size_t i = s->count - 1; run > 0 && i > 0; --i) {
+            size_t other = (size_t)(oit_scene_random(&state) * (double)(i + 1)), kept = order[i];
+            order[i] = order[other];
+            order[other] = kept;
+        }
+        float *next = draw(&t, s, order);
+        expect_same(&t, first, next, run ? "another order" : "the same again");
+        free(next);
+    }
+    free(first);
+    oit_scene_drop(s);
+    close_setting(&t);
+    free(s);
+}
+
+static void test_draw_order_changes_nothing(void **state) {
+    (void)state;
+    oit_desc plain = {.color = OIT_COLOR_FLOAT}, all = {.fields = OIT_FIELD_ALL, .host_words = 3, .fit = OIT_FIT_ASYNC};
+    check_orders(plain);
+    check_orders(all);
+}
+
+/* Over the ceiling the picture comes in bands, down to parts of a row, and is the same. */
+static void test_bands_equal_the_whole(void **state) {
+    static const int64_t ceilings[] = {0, 64 * 1024, 16 * 1024, 4 * 1024};
+    (void)state;
+    oit_scene *s = malloc(sizeof *s);
+    float *whole = NULL;
+    uint32_t bands = 0;
+    for (size_t i = 0; i < sizeof ceilings / sizeof ceilings[0]; ++i) {
+        oit_desc desc = {.color = OIT_COLOR_FLOAT, .ceiling_bytes = ceilings[i]};
+        oit_report report = {0};
+        setting t;
+        open_setting(&t, false, 48, 40, GL_RGBA32F, desc);
+        oit_scene_init(s, 48, 40);
+        oit_scene_random_balls(s, 8, 16, 0.3);
+        oit_scene_sheets(s, 5, 0.2, false);
+        float *picture = draw(&t, s, NULL);
+        assert_int_equal(oit_get_report(t.oit, &report), OIT_OK);
+        printf("    ceiling %lld: %u fragments, %u bands\n", (long long)ceilings[i], report.needed, report.bands);
+        assert_true(i == 0 ? report.bands == 1 : report.bands > bands);
+        assert_int_equal(report.lost_pixels + report.extra, 0);
+        assert_true(ceilings[i] == 0 || report.capacity * 24 <= ceilings[i]);
+        bands = report.bands;
+        if (whole)
+            expect_same(&t, whole, picture, "bands");
+        else
+            whole = picture;
+        if (whole != picture)
+            free(picture);
+        oit_scene_drop(s);
+        close_setting(&t);
+    }
+    free(whole);
+    free(s);
+}
+
+/* Where a storage block holds only some rows, the picture is counted in slabs. */
+static void test_slabs_equal_the_whole(void **state) {
+    (void)state;
+    oit_scene *s = malloc(sizeof *s);
+    float *pictures[2];
+    setting t;
+    for (int i = 0; i < 2; ++i) {
+        oit_desc desc = {.color = OIT_COLOR_FLOAT, .max_block_bytes = i ? 4000 : 0};
+        open_setting(&t, false, 40, 36, GL_RGBA32F, desc);
+        oit_scene_init(s, 40, 36);
+        oit_scene_random_balls(s, 6, 16, 0.3);
+        pictures[i] = draw(&t, s, NULL);
+        assert_int_equal(t.oit->rows, i ? 12 : 36);
+        if (i)
+            expect_same(&t, pictures[0], pictures[1], "slabs");
+        oit_scene_drop(s);
+        close_setting(&t);
+    }
+    free(pictures[0]);
+    free(pictures[1]);
+    free(s);
+}
+
+/* ---- never waiting ---- */
+
+/* A pool that is too small at first: what does not fit is counted as the CPU counts it, comes from the tail as a picture
+ * that does not depend on the order, and fits a few frames later. */
+static void test_async_grows_and_reports(void **state) {
+    (void)state;
+    oit_desc desc = {.color = OIT_COLOR_FLOAT, .fit = OIT_FIT_ASYNC};
+    oit_scene *s = malloc(sizeof *s);
+    oit_report report = {0};
+    setting t;
+    open_setting(&t, false, 32, 32, GL_RGBA32F, desc);
+    oit_scene_init(s, 32, 32);
+    oit_scene_sheets(s, 20, 0.2, false);
+    free(draw(&t, s, NULL)); /* reading the picture has finished the frame; the next begin takes its report */
+    float *second = draw(&t, s, NULL);
+    assert_int_equal(oit_get_report(t.oit, &report), OIT_OK);
+    assert_int_equal(report.frame, 1);
+    assert_int_equal(report.capacity, 4 * 32 * 32);
+    assert_int_equal(report.needed, 20 * 32 * 32);
+    assert_int_equal(report.deepest, 20);
+    /* Runs of 20: of 4,096 places 204 hold a whole run. */
+    assert_int_equal(report.lost_pixels, 32 * 32 - 4096 / 20);
+    assert_int_equal(report.lost, 20 * (32 * 32 - 4096 / 20));
+    oit_truth *truth = malloc(32 * 32 * sizeof *truth);
+    size_t where;
+    oit_truth_render(s, truth);
+    assert_true(worst_error(s, truth, second, &where) < 1e-5);
+    free(draw(&t, s, NULL));
+    assert_int_equal(oit_get_report(t.oit, &report), OIT_OK);
+    assert_int_equal(report.frame, 2);
+    assert_int_equal(report.lost_pixels, 0);
+    assert_int_equal(report.capacity, 20 * 32 * 32 + 20 * 32 * 32 / 4 + 1);
+    free(second);
+    free(truth);
+    oit_scene_drop(s);
+    close_setting(&t);
+    free(s);
+}
+
+/* The tail itself: exact for layers of one colour, and for one layer; the same bits in any order. */
+static void test_tail(void **state) {
+    (void)state;
+    oit_desc desc = {.fit = OIT_FIT_ASYNC, .ceiling_bytes = 16};
+    oit_scene *s = malloc(sizeof *s);
+    size_t order[16];
+    oit_report report = {0};
+    setting t;
+    open_setting(&t, false, 16, 16, GL_RGBA32F, desc);
+    for (int layers = 1; layers <= 16; layers += 5) {
+        oit_scene_init(s, 16, 16);
+        oit_scene_sheets(s, layers, 0.2, false);
+        for (int i = 0; i < layers; ++i) {
+            order[i] = (size_t)(layers - 1 - i);
+            s->truths[i].alpha = 0.1 + 0.05 * i;
+        }
+        float *one = draw(&t, s, NULL), *two = draw(&t, s, order);
+        expect_same(&t, one, two, "the tail in another order");
+        free(one);
+        free(two);
+        for (int i = 0; i < layers; ++i)
+            for (int k = 0; k < 3; ++k)
+                s->truths[i].color[k] = 0.25 * (k + 1);
+        check(&t, s, "tail of one colour", 1e-4);
+        oit_scene_drop(s);
+    }
+    assert_int_equal(oit_get_report(t.oit, &report), OIT_OK);
+    assert_int_equal(report.lost_pixels, 256);
+    close_setting(&t);
+    free(s);
+}
+
+/* The host draws more in the fill pass than it did in the count pass: nothing is written outside, and it is reported; less:
+ * what came is composed. */
+static void test_fill_differs_from_count(void **state) {
+    (void)state;
+    oit_scene *s = malloc(sizeof *s);
+    for (int fit = 0; fit < 2; ++fit) {
+        oit_desc desc = {.color = OIT_COLOR_FLOAT, .fit = (oit_fit)fit};
+        setting t;
+        open_setting(&t, false, 16, 16, GL_RGBA32F, desc);
+        oit_scene_init(s, 16, 16);
+        oit_scene_sheets(s, 6, 0.25, false);
+        for (int more = 0; more < 2; ++more) {
+            oit_frame frame = oit_scene_frame(s, t.framebuffer);
+            oit_report report = {0};
+            oit_pass pass;
+            for (int run = 0; run < 2; ++run) {
+                clear_target(&t, s);
+                oit_scene_expect(oit_begin(t.oit, &frame), "oit_begin");
+                while (oit_next_pass(t.oit, &pass)) {
+                    size_t all = s->count;
+                    s->count = (pass.kind == OIT_PASS_FILL) == (more == 1) ? 6 : 3;
+                    oit_scene_draw(s, t.oit, &pass, NULL);
+                    s->count = all;
+                }
+                oit_scene_expect(oit_compose(t.oit), "oit_compose");
+                oit_scene_expect(oit_end(t.oit), "oit_end");
+                glFinish();
+            }
+            float *picture = read_picture(&t);
+            oit_scene_expect(oit_begin(t.oit, &frame), "oit_begin"); /* takes the report */
+            oit_scene_expect(oit_end(t.oit), "oit_end");
+            assert_int_equal(oit_get_report(t.oit, &report), OIT_OK);
+            assert_int_equal(report.extra, more ? 3 * 256 : 0);
+            if (!more) { /* the first three only */
+                oit_truth *truth = malloc(256 * sizeof *truth);
+                size_t where, all = s->scene.object_count;
+                s->scene.object_count = 3;
+                oit_truth_render(s, truth);
+                assert_true(worst_error(s, truth, picture, &where) < 1e-5);
+                s->scene.object_count = all;
+                free(truth);
+            }
+            free(picture);
+        }
+        oit_scene_drop(s);
+        close_setting(&t);
+    }
+    free(s);
+}
+
+/* The passes as data, run by the host, give the picture that the header's own run gives. */
+static void test_host_sets_the_state(void **state) {
+    (void)state;
+    oit_scene *s = malloc(sizeof *s);
+    float *pictures[2];
+    setting t;
+    for (int i = 0; i < 2; ++i) {
+        oit_desc desc = {
+            .color = OIT_COLOR_FLOAT, .fit = OIT_FIT_ASYNC, .state = i ? OIT_STATE_NONE : OIT_STATE_RESTORE};
+        oit_frame frame;
+        open_setting(&t, false, 64, 64, GL_RGBA32F, desc);
+        oit_scene_init(s, 64, 64);
+        oit_scene_random_balls(s, 6, 16, 0.4);
+        s->truths[1].transparent = false;
+        frame = oit_scene_frame(s, t.framebuffer);
+        clear_target(&t, s);
+        if (i)
+            oit_scene_render_raw(s, t.oit, &frame, NULL, NULL);
+        else
+            oit_scene_render(s, t.oit, &frame, NULL);
+        pictures[i] = read_picture(&t);
+        oit_scene_drop(s);
+        close_setting(&t);
+    }
+    assert_memory_equal(pictures[0], pictures[1], 4 * 64 * 64 * sizeof(float));
+    free(pictures[0]);
+    free(pictures[1]);
+    free(s);
+}
+
+/* ---- blend operations, weights, conventions ---- */
+
+static void mixed_blends(oit_scene *s, int size) {
+    oit_scene_init(s, size, size);
+    oit_scene_sheets(s, 24, 0.25, true);
+    for (size_t i = 0; i < s->count; ++i) {
+        s->objects[i].blend = (uint32_t)(i % 3);
+        if (i % 3 == OIT_BLEND_ADD)
+            s->truths[i].alpha = 0.05;
+    }
+    s->scene.background[1] = 0.5;
+}
+
+static void test_blend_operations(void **state) {
+    (void)state;
+    oit_scene *s = malloc(sizeof *s);
+    for (int variant = 0; variant < 6; ++variant) {
+        oit_desc desc = {.color = (oit_color)(variant % 3), .fields = OIT_FIELD_BLEND, .premultiplied = variant & 1};
+        bool es = variant >= 3;
+        setting t;
+        open_setting(&t, es, 64, 64, es ? GL_RGBA16F : GL_RGBA32F, desc);
+        mixed_blends(s, 64);
+        check(&t, s, es ? "blends, two draws" : "blends, dual source", es ? 2e-3 : variant % 3 == 2 ? 1e-5 : 2e-3);
+        oit_scene_drop(s);
+        close_setting(&t);
+    }
+    free(s);
+}
+
+static void test_background_weight(void **state) {
+    static const double weights[] = {1, 0.5, 0};
+    (void)state;
+    oit_desc desc = {.color = OIT_COLOR_FLOAT};
+    oit_scene *s = malloc(sizeof *s);
+    setting t;
+    open_setting(&t, false, 32, 32, GL_RGBA32F, desc);
+    for (int i = 0; i < 3; ++i) {
+        oit_scene_init(s, 32, 32);
+        oit_scene_sheets(s, 3, 0.3, false);
+        s->scene.background_weight = weights[i];
+        check(&t, s, "background weight", 1e-5);
+        oit_scene_drop(s);
+    }
+    close_setting(&t);
+    free(s);
+}
+
+/* ---- hard cases ---- */
+
+static uint32_t float_bits(float x) {
+    uint32_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    return bits;
+}
+
+/* Two sheets one unit in the last place of the depth apart, drawn in either order: the nearer one is laid first. The
+ * depths are what the fill pass saw, read back from the buffer. */
+static void test_one_ulp_apart(void **state) {
+    static const size_t orders[2][2] = {{0, 1}, {1, 0}};
+    (void)state;
+    oit_desc desc = {.color = OIT_COLOR_FLOAT};
+    oit_scene *s = malloc(sizeof *s);
+    float *pictures[2];
+    setting t;
+    open_setting(&t, false, 4, 4, GL_RGBA32F, desc);
+    oit_scene_init(s, 4, 4);
+    float nearer = 0.25f, farther = nextafterf(nearer, 1.0f);
+    const double colors[2][4] = {{1, 0, 0, 0.5}, {0, 1, 0, 0.5}};
+    for (int i = 0; i < 2; ++i) {
+        /* window depth d from normalised device depth 2 d - 1, which is exact here */
+        double z = 2.0 * (double)(i ? farther : nearer) - 1.0, zs[4] = {z, z, z, z};
+        oit_scene_quad(s, -1, -1, 1, 1, zs, colors[i]);
+    }
+    for (int i = 0; i < 2; ++i) {
+        uint32_t record[12];
+        pictures[i] = draw(&t, s, orders[i]);
+        glBindBuffer(GL_COPY_READ_BUFFER, t.oit->buffers[OIT_I_FRAGMENTS]);
+        glGetBufferSubData(GL_COPY_READ_BUFFER, 0, sizeof record, record);
+        uint32_t low = record[0] < record[6] ? record[0] : record[6], high = record[0] ^ record[6] ^ low;
+        assert_int_equal(low, float_bits(nearer));
+        assert_int_equal(high, float_bits(farther));
+        /* 0.5 red over 0.25 green over 0.25 white */
+        assert_true(fabs((double)pictures[i][0] - 0.75) < 1e-6 && fabs((double)pictures[i][1] - 0.5) < 1e-6);
+    }
+    expect_same(&t, pictures[0], pictures[1], "order of two sheets");
+    free(pictures[0]);
+    free(pictures[1]);
+    oit_scene_drop(s);
+    close_setting(&t);
+    free(s);
+}
+
+/* 1,000 layers of alpha 10^-4; alpha 0 and 1 among others; the sum of weights with the background is one. */
+static void test_alpha_extremes(void **state) {
+    static const oit_color colors[] = {OIT_COLOR_8, OIT_COLOR_HALF, OIT_COLOR_FLOAT};
+    (void)state;
+    oit_scene *s = malloc(sizeof *s);
+    for (int i = 0; i < 3; ++i) {
+        oit_desc desc = {.color = colors[i]};
+        setting t;
+        open_setting(&t, false, 8, 8, GL_RGBA32F, desc);
+        oit_scene_init(s, 8, 8);
+        oit_scene_sheets(s, 1000, 1e-4, false);
+        for (int k = 0; k < 3; ++k)
+            s->scene.background[k] = 0;
+        check(&t, s, "1000 layers of 1e-4", i == 2 ? 1e-5 : 1e-4);
+        oit_scene_drop(s);
+        oit_scene_init(s, 8, 8);
+        oit_scene_sheets(s, 12, 0.3, false);
+        for (size_t k = 0; k < s->count; ++k)
+            s->truths[k].alpha = k % 4 == 1 ? 0 : k == 7 ? 1 : 0.3;
+        check(&t, s, "alpha 0 and 1", i == 2 ? 1e-5 : 1e-3);
+        for (size_t k = 0; k < s->count; ++k) { /* white on white stays white */
+            s->truths[k].alpha = 0.3;
+            for (int c = 0; c < 3; ++c)
+                s->truths[k].color[c] = 1;
+        }
+        check(&t, s, "weights sum to one", 1e-6);
+        oit_scene_drop(s);
+        close_setting(&t);
+    }
+    free(s);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_scenes_match_reference),
         cmocka_unit_test(test_float_scenes_match_reference),
         cmocka_unit_test(test_es_scenes_match_reference),
+        cmocka_unit_test(test_draw_order_changes_nothing),
+        cmocka_unit_test(test_bands_equal_the_whole),
+        cmocka_unit_test(test_slabs_equal_the_whole),
+        cmocka_unit_test(test_async_grows_and_reports),
+        cmocka_unit_test(test_tail),
+        cmocka_unit_test(test_fill_differs_from_count),
+        cmocka_unit_test(test_host_sets_the_state),
+        cmocka_unit_test(test_blend_operations),
+        cmocka_unit_test(test_background_weight),
+        cmocka_unit_test(test_one_ulp_apart),
+        cmocka_unit_test(test_alpha_extremes),
     };
     setvbuf(stdout, NULL, _IOLBF, 0);
     return cmocka_run_group_tests(tests, NULL, NULL);

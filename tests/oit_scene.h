@@ -317,6 +317,67 @@ static inline void oit_scene_render(const oit_scene *s, oit_context *oit, const 
     oit_scene_expect(oit_end(oit), "oit_end");
 }
 
+/* What a host does under OIT_STATE_NONE: all that a pass says, and nothing that it does not say. */
+static inline void oit_scene_apply(const oit_pass *pass) {
+    const oit_state *state = &pass->state;
+    glUseProgram(state->program);
+    for (int i = 0; i < 3; ++i)
+        glBindBufferBase(GL_SHADER_STORAGE_BUFFER, (GLuint)(state->first_storage_binding + i),
+                         state->storage_buffers[i]);
+    glBindBufferBase(GL_UNIFORM_BUFFER, (GLuint)state->uniform_binding, state->uniform_buffer);
+    if (state->groups[0]) {
+        glDispatchCompute(state->groups[0], state->groups[1], state->groups[2]);
+        return;
+    }
+    glBindFramebuffer(GL_FRAMEBUFFER, state->framebuffer);
+    glViewport(state->viewport[0], state->viewport[1], state->viewport[2], state->viewport[3]);
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(state->scissor[0], state->scissor[1], state->scissor[2], state->scissor[3]);
+    (state->depth_test ? glEnable : glDisable)(GL_DEPTH_TEST);
+    glDepthFunc(state->depth_func);
+    glDepthMask(GL_FALSE);
+    GLboolean write = (GLboolean)state->color_write;
+    glColorMask(write, write, write, GL_FALSE);
+    (state->blend ? glEnable : glDisable)(GL_BLEND);
+    glBlendFuncSeparate(state->blend_source, state->blend_destination, GL_ZERO, GL_ONE);
+    if (state->vertex_count) {
+        glBindVertexArray(state->vertex_array);
+        glDrawArrays(GL_TRIANGLES, 0, state->vertex_count);
+        glBindVertexArray(0);
+    }
+}
+
+/* The state that a fresh context has, as far as the passes touch it. */
+static inline void oit_scene_reset_state(void) {
+    glDisable(GL_SCISSOR_TEST);
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_BLEND);
+    glDepthFunc(GL_LESS);
+    glDepthMask(GL_TRUE);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glUseProgram(0);
+}
+
+/* A frame under OIT_STATE_NONE. after (may be NULL) is called after each pass. */
+static inline void oit_scene_render_raw(const oit_scene *s, oit_context *oit, const oit_frame *frame,
+                                        void (*after)(const oit_pass *pass, void *user), void *user) {
+    oit_pass pass;
+    oit_scene_expect(oit_begin(oit, frame), "oit_begin");
+    for (int part = 0; part < 2; ++part) {
+        while (oit_next_pass(oit, &pass)) {
+            oit_scene_apply(&pass);
+            if (!pass.state.groups[0] && !pass.state.vertex_count)
+                oit_scene_draw(s, oit, &pass, NULL);
+            if (after)
+                after(&pass, user);
+        }
+        if (part == 0)
+            oit_scene_expect(oit_compose(oit), "oit_compose");
+    }
+    oit_scene_expect(oit_end(oit), "oit_end");
+    oit_scene_reset_state();
+}
+
 /* ---- the truth ---- */
 
 typedef struct oit_truth_layer {
