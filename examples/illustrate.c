@@ -30,6 +30,7 @@ static const char HELP[] =
     "MODEL is a file (glTF, GLB, OBJ, STL, PLY, 3DS, FBX, DAE and others) or one that is built in:\n"
     "  model:mug  model:crank  model:gearbox  model:torus_knot  model:shells\n"
     "  model:dirty_open  model:dirty_doubled  model:dirty_degenerate  model:dirty_nonmanifold  model:dirty_flipped\n"
+    "  model:battlefield  model:abstract  model:walkthrough\n"
     "Several make one scene; the parts of each file then have its name in front of theirs.\n"
     "\n"
     "  -o, --output OUT.png     where the picture goes; written whole or not at all. OUT.svg: its lines alone, a group\n"

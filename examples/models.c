@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "battlefield.h"
+
 #define PI 3.14159265358979323846
 
 /* Colours as printed technical illustrations have them: clear, but never at full strength. */
@@ -1351,17 +1353,53 @@ static bool make_dirty_flipped(scene *s) {
     return add_built(&b, s, "dirty_flipped/box", BRICK, 1) && ok;
 }
 
+/* ---- scenes ---------------------------------------------------------------------------------------------- */
+
+/* Moves what a battlefield consists of to a scene; its flags and units are for programs that make it themselves. */
+static bool take_scene(scene *s, battlefield *b) {
+    if (!b)
+        return false;
+    scene empty = *s;
+    *s = *b->scene;
+    *b->scene = empty;
+    battlefield_destroy(b);
+    return true;
+}
+
+static bool make_battlefield(scene *s) {
+    return take_scene(s, battlefield_create(NULL));
+}
+
+static bool make_abstract(scene *s) {
+    return take_scene(s, battlefield_create_abstract(1));
+}
+
+static bool make_walkthrough(scene *s) {
+    return take_scene(s, battlefield_create_walkthrough(1));
+}
+
 /* ---- by name --------------------------------------------------------------------------------------------- */
 
-const char *const models_names[] = {
-    "mug",        "crank",         "gearbox",          "torus_knot",        "shells",
-    "dirty_open", "dirty_doubled", "dirty_degenerate", "dirty_nonmanifold", "dirty_flipped",
-    NULL};
+const char *const models_names[] = {"mug",
+                                    "crank",
+                                    "gearbox",
+                                    "torus_knot",
+                                    "shells",
+                                    "dirty_open",
+                                    "dirty_doubled",
+                                    "dirty_degenerate",
+                                    "dirty_nonmanifold",
+                                    "dirty_flipped",
+                                    "battlefield",
+                                    "abstract",
+                                    "walkthrough",
+                                    NULL};
 
 scene *models_make(const char *name) {
     static bool (*const makers[])(scene *) = {
-        make_mug,        make_crank,         make_gearbox,          make_torus_knot,        make_shells,
-        make_dirty_open, make_dirty_doubled, make_dirty_degenerate, make_dirty_nonmanifold, make_dirty_flipped};
+        make_mug,         make_crank,         make_gearbox,          make_torus_knot,        make_shells,
+        make_dirty_open,  make_dirty_doubled, make_dirty_degenerate, make_dirty_nonmanifold, make_dirty_flipped,
+        make_battlefield, make_abstract,      make_walkthrough};
     for (size_t i = 0; models_names[i]; i++) {
         if (strcmp(models_names[i], name) != 0)
             continue;
