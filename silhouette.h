@@ -466,6 +466,21 @@ SIL_DEF sil_result sil_distances_by_tree(const sil_edge_tree *tree, size_t first
 SIL_DEF sil_result sil_distances_at(const sil_edge_tree *tree, const float *points, size_t stride, size_t count,
                                     float *distances, uint32_t *nearest);
 
+/* For each triangle, the edges of the tree that can be the nearest to some point of it: the least distance to these is,
+   anywhere within the triangle, that to all edges, but for 1e-6 of the mesh's size. So a fragment shader finds exact
+   distances from a short list that the triangle carries. triangle_count triangles of positions in the mesh's own
+   coordinates (stride in bytes, 0: 12; vertex_count of them), three indices each, or NULL for 0 1 2, 3 4 5, ...; not
+   necessarily the mesh's own, and any part of them: threads may share one tree, each with a range of its own.
+   offsets: triangle_count + 1 numbers; the candidates of triangle i, as indices in the `edges` that the tree was built
+   from, are candidates[offsets[i]] ... candidates[offsets[i + 1] - 1], in an order that depends on the tree alone. What
+   fits into capacity is written, offsets always; *needed is how many there are. A triangle with an index out of range
+   or a corner that is not finite has none; one with a corner further away than 10^12 sizes of the mesh has all.
+   SIL_INVALID_ARGUMENT: NULL, a tree that was never built. SIL_TOO_LARGE: more than 2^32 - 1 candidates; ask for fewer
+   triangles at a time. */
+SIL_DEF sil_result sil_candidates(const sil_edge_tree *tree, const float *positions, size_t stride, size_t vertex_count,
+                                  const uint32_t *indices, size_t triangle_count, uint32_t *offsets,
+                                  uint32_t *candidates, size_t capacity, size_t *needed);
+
 /* Largest distance between the centre of the mesh and its vertices, in world units: d_object,max of Diepstraten 2002,
    equation 2. The centre is that of the bounding box, along the mesh's axes, of the vertices of the kept faces.
    model: as above; NULL for the identity. 0 for a mesh without faces. */
@@ -6376,6 +6391,227 @@ SIL_DEF float sil_max_distance(const sil_mesh *mesh, const sil_pose *pose, const
         largest = sil_i_larger(largest, p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
     }
     return (float)(sqrt(largest) * frame.scale);
+}
+
+/* ---- candidates of triangles ---- */
+
+/* d^2(x), the square of the distance of a point x to a segment (or to a box), is convex in x, for both are convex sets.
+   Within a triangle it lies therefore
+   - below the plane through its values at the corners,
+   - above its tangent plane at any point: with f the foot of the middle c, d^2(c) + 2 (c - f) . (x - c).
+   Where the first of one segment is below the second of another at all three corners, it is so in all of the triangle,
+   and the other is nowhere the nearest. Only the square of the triangle's size is lost by this, where a test by the
+   middle's distance and the radius loses the size itself: far from a dense outline that keeps a few edges instead of
+   a stretch that grows with the root of the distance. */
+typedef struct sil_i_patch {
+    float middle[3], corner[3][3]; /* in the tree's frame */
+    float margin;                  /* more than the rounding of a square, corners' and segments' coordinates included */
+    float high[3];                 /* squares at the corners of the segment nearest to the middle, and the margin */
+} sil_i_patch;
+
+#define SIL_I_SUITORS 64u /* candidates that are compared with each other */
+
+typedef struct sil_i_suitors {
+    uint32_t index[SIL_I_SUITORS];
+    float low[SIL_I_SUITORS][3], high[SIL_I_SUITORS][3]; /* tangent at the corners; squares there and the margin */
+    size_t count;
+} sil_i_suitors;
+
+typedef struct sil_i_listing {
+    uint32_t *out;
+    size_t capacity, count;
+} sil_i_listing;
+
+static float sil_i_larger_float(float a, float b) {
+    return a > b ? a : b;
+}
+
+/* The tangent planes at the middle, at the three corners, of eight segments. */
+static void sil_i_tangents(const sil_i_lanes *s, const sil_i_patch *patch, float low[3][SIL_I_LANES]) {
+    const float x = patch->middle[0], y = patch->middle[1], z = patch->middle[2];
+    size_t i;
+    int k;
+    for (i = 0; i < SIL_I_LANES; ++i) {
+        const float px = s->px[i] - x, py = s->py[i] - y, pz = s->pz[i] - z;
+        const float ex = s->qx[i] - s->px[i], ey = s->qy[i] - s->py[i], ez = s->qz[i] - s->pz[i];
+        const float along = -(px * ex + py * ey + pz * ez) * s->inverse[i];
+        const float above = 0.5f * (along + fabsf(along)), rest = 1 - above;
+        const float t = 1 - 0.5f * (rest + fabsf(rest)); /* within 0 and 1, without a branch: see sil_i_squares */
+        const float fx = px + t * ex, fy = py + t * ey, fz = pz + t * ez;
+        for (k = 0; k < 3; ++k) {
+            const float *c = patch->corner[k];
+            low[k][i] = fx * (fx - 2 * (c[0] - x)) + fy * (fy - 2 * (c[1] - y)) + fz * (fz - 2 * (c[2] - z));
+        }
+    }
+}
+
+/* The same of one of eight boxes: its foot is the middle, moved into it. */
+static int sil_i_box_is_beaten(const sil_i_boxes *box, size_t i, const sil_i_patch *patch) {
+    float foot[3];
+    int k;
+    for (k = 0; k < 3; ++k) {
+        const float d = box->mid[k][i] - patch->middle[k], half = box->half[k][i];
+        foot[k] = d > half ? d - half : d < -half ? d + half : 0;
+    }
+    for (k = 0; k < 3; ++k) {
+        const float *c = patch->corner[k];
+        const float low = foot[0] * (foot[0] - 2 * (c[0] - patch->middle[0])) +
+                          foot[1] * (foot[1] - 2 * (c[1] - patch->middle[1])) +
+                          foot[2] * (foot[2] - 2 * (c[2] - patch->middle[2]));
+        if (!(low > patch->high[k]))
+            return 0;
+    }
+    return 1;
+}
+
+/* Leaves out the segments that another one beats. Two never beat each other: low is at most high less the margin. */
+static void sil_i_suitors_sift(sil_i_suitors *s) {
+    unsigned char beaten[SIL_I_SUITORS];
+    size_t i, j, kept = 0;
+    for (i = 0; i < s->count; ++i) {
+        beaten[i] = 0;
+        for (j = 0; j < s->count && !beaten[i]; ++j)
+            beaten[i] = s->low[i][0] > s->high[j][0] && s->low[i][1] > s->high[j][1] && s->low[i][2] > s->high[j][2];
+    }
+    for (i = 0; i < s->count; ++i)
+        if (!beaten[i]) {
+            s->index[kept] = s->index[i];
+            memcpy(s->low[kept], s->low[i], sizeof s->low[0]);
+            memcpy(s->high[kept++], s->high[i], sizeof s->high[0]);
+        }
+    s->count = kept;
+}
+
+static void sil_i_suitors_list(sil_i_suitors *s, sil_i_listing *list) {
+    size_t i;
+    sil_i_suitors_sift(s);
+    for (i = 0; i < s->count; ++i, ++list->count)
+        if (list->count < list->capacity)
+            list->out[list->count] = s->index[i];
+    s->count = 0;
+}
+
+/* The segments of a leaf that the one nearest to the middle does not beat. */
+static void sil_i_leaf_suitors(const sil_edge_tree *tree, const sil_i_patch *patch, uint32_t leaf, sil_i_suitors *s,
+                               sil_i_listing *list) {
+    float low[3][SIL_I_LANES], square[3][SIL_I_LANES];
+    const size_t first = (size_t)leaf * SIL_I_LANES;
+    size_t i;
+    int k, any = 0;
+    sil_i_tangents(&tree->leaf[leaf], patch, low);
+    for (i = 0; i < SIL_I_LANES; ++i)
+        any |= !(low[0][i] > patch->high[0] && low[1][i] > patch->high[1] && low[2][i] > patch->high[2]);
+    for (k = 0; k < 3 && any; ++k)
+        sil_i_squares(&tree->leaf[leaf], patch->corner[k], square[k]);
+    for (i = 0; i < SIL_I_LANES && any; ++i) {
+        if (low[0][i] > patch->high[0] && low[1][i] > patch->high[1] && low[2][i] > patch->high[2])
+            continue;
+        if (i && tree->index[first + i] == tree->index[first + i - 1])
+            break; /* the last leaf repeats its last segment */
+        if (s->count == SIL_I_SUITORS)
+            sil_i_suitors_list(s, list);
+        s->index[s->count] = tree->index[first + i];
+        for (k = 0; k < 3; ++k) {
+            s->low[s->count][k] = low[k][i];
+            s->high[s->count][k] = square[k][i] + patch->margin;
+        }
+        ++s->count;
+    }
+}
+
+/* *held: the place of a segment that is likely to be near; then that of the one nearest to the middle. */
+static void sil_i_patch_start(const sil_edge_tree *tree, sil_i_patch *patch, size_t *held) {
+    float square[3][SIL_I_LANES], farthest = sil_i_search(tree, patch->middle, held), extent = 1, radius = 0;
+    int k, i;
+    for (k = 0; k < 3; ++k) {
+        float reach = 0;
+        sil_i_squares(&tree->leaf[*held / SIL_I_LANES], patch->corner[k], square[k]);
+        farthest = sil_i_larger_float(farthest, square[k][*held % SIL_I_LANES]);
+        for (i = 0; i < 3; ++i) {
+            const float d = patch->corner[k][i] - patch->middle[i];
+            extent = sil_i_larger_float(extent, fabsf(patch->corner[k][i]));
+            reach += d * d;
+        }
+        radius = sil_i_larger_float(radius, reach);
+    }
+    patch->margin = 2e-6f * extent * (sqrtf(radius) + sqrtf(farthest)) + 1e-30f;
+    for (k = 0; k < 3; ++k)
+        patch->high[k] = square[k][*held % SIL_I_LANES] + patch->margin;
+}
+
+static void sil_i_patch_list(const sil_edge_tree *tree, sil_i_patch *patch, sil_i_listing *list) {
+    sil_i_visit stack[(SIL_I_LANES - 1) * SIL_I_LEVELS + 1];
+    sil_i_suitors suitors;
+    size_t top = 1, i;
+    suitors.count = 0;
+    stack[0].at = 0;
+    stack[0].level = tree->levels;
+    while (top) {
+        const sil_i_visit visit = stack[--top];
+        if (!visit.level) {
+            sil_i_leaf_suitors(tree, patch, visit.at, &suitors, list);
+            continue;
+        }
+        for (i = SIL_I_LANES; i--;) { /* the first child on top */
+            const sil_i_boxes *box = &tree->box[tree->first[visit.level] + visit.at];
+            if (!(box->mid[0][i] < 1e17f) || sil_i_box_is_beaten(box, i, patch))
+                continue;
+            stack[top].at = (uint32_t)(visit.at * SIL_I_LANES + i);
+            stack[top++].level = visit.level - 1;
+        }
+    }
+    sil_i_suitors_list(&suitors, list);
+}
+
+/* Takes a triangle's corners; 0 where one is missing. *everything: one is so far away that it was brought nearer. */
+static int sil_i_patch_take(const sil_edge_tree *tree, const char *positions, size_t stride, size_t vertex_count,
+                            const uint32_t *indices, size_t triangle, sil_i_patch *patch, int *everything) {
+    int k, i;
+    *everything = 0;
+    for (k = 0; k < 3; ++k) {
+        const size_t at = 3 * triangle + (size_t)k, vertex = indices ? indices[at] : at;
+        float p[3];
+        if (vertex >= vertex_count)
+            return 0;
+        memcpy(p, positions + vertex * stride, sizeof p);
+        if (!sil_i_all_finite(p, 3))
+            return 0;
+        *everything |= sil_i_point(&tree->frame, p, patch->corner[k]) > 1;
+    }
+    for (i = 0; i < 3; ++i)
+        patch->middle[i] = (patch->corner[0][i] + patch->corner[1][i] + patch->corner[2][i]) * (1 / 3.0f);
+    return 1;
+}
+
+SIL_DEF sil_result sil_candidates(const sil_edge_tree *tree, const float *positions, size_t stride, size_t vertex_count,
+                                  const uint32_t *indices, size_t triangle_count, uint32_t *offsets,
+                                  uint32_t *candidates, size_t capacity, size_t *needed) {
+    sil_i_listing list;
+    size_t i, held = 0;
+    if (!tree || !tree->built || (triangle_count && !positions) || !offsets || (capacity && !candidates) || !needed ||
+        (stride && stride < 3 * sizeof(float)))
+        return SIL_INVALID_ARGUMENT;
+    list.out = candidates;
+    list.capacity = capacity;
+    list.count = *needed = 0;
+    offsets[0] = 0;
+    for (i = 0; i < triangle_count; ++i) {
+        sil_i_patch patch;
+        int everything, k;
+        if (tree->levels &&
+            sil_i_patch_take(tree, (const char *)(const void *)positions, stride ? stride : 3 * sizeof(float),
+                             vertex_count, indices, i, &patch, &everything)) {
+            sil_i_patch_start(tree, &patch, &held);
+            for (k = 0; k < 3 && everything; ++k)
+                patch.high[k] = patch.margin = 3e38f;
+            sil_i_patch_list(tree, &patch, &list);
+        }
+        *needed = list.count;
+        if (list.count >= SIL_NONE)
+            return SIL_TOO_LARGE;
+        offsets[i + 1] = (uint32_t)list.count;
+    }
+    return SIL_OK;
 }
 
 /* ---- ribbons ---- */
