@@ -145,7 +145,8 @@
       - All lines of a drawing: kinds SIL_SILHOUETTE | SIL_BOUNDARY | SIL_CREASE, then sil_chain, then sil_ribbons.
       - Lines hidden by the surface they lie on: draw ribbons with the depth test at depth minus one to two times slack.
       - Transparency that depends on the view (Diepstraten 2002, equation 2): alpha = 1 - pow(distance /
-        sil_max_distance, k).
+        sil_max_distance, k). Pixel by pixel and without seams at triangle edges: sil_candidates gives each triangle the
+        edges that can be nearest within it, for a shader to take the least distance to.
       - Silhouettes of a large mesh that does not move: a pose that is never set; it is what the hierarchy needs.
       - Distances for many vertices in every frame: one sil_edge_tree, built after sil_extract, then ranges of vertices
         by sil_distances_by_tree in as many threads as there are. sil_distances is for few edges or few vertices.
@@ -465,6 +466,11 @@ SIL_DEF sil_result sil_distances_by_tree(const sil_edge_tree *tree, size_t first
    something near it. Points that follow each other should be close to each other. Not finite: +infinity, SIL_NONE. */
 SIL_DEF sil_result sil_distances_at(const sil_edge_tree *tree, const float *points, size_t stride, size_t count,
                                     float *distances, uint32_t *nearest);
+
+/* The edges of the tree, as indices in the `edges` that it was built from, in an order in which neighbours are close to
+   each other: for hierarchies of others over boxes of consecutive edges. Those with an end that is not finite are left
+   out. Returns how many there are; as many as fit into capacity are written. 0 for a tree that was never built. */
+SIL_DEF size_t sil_edge_tree_order(const sil_edge_tree *tree, uint32_t *order, size_t capacity);
 
 /* For each triangle, the edges of the tree that can be the nearest to some point of it: the least distance to these is,
    anywhere within the triangle, that to all edges, but for 1e-6 of the mesh's size. So a fragment shader finds exact
@@ -6394,6 +6400,19 @@ SIL_DEF float sil_max_distance(const sil_mesh *mesh, const sil_pose *pose, const
 }
 
 /* ---- candidates of triangles ---- */
+
+SIL_DEF size_t sil_edge_tree_order(const sil_edge_tree *tree, uint32_t *order, size_t capacity) {
+    const size_t places = tree && tree->built ? tree->leaf_count * SIL_I_LANES : 0;
+    size_t i, count = 0;
+    for (i = 0; i < places; ++i) {
+        if (i && tree->index[i] == tree->index[i - 1])
+            break; /* the last leaf repeats its last segment */
+        if (order && count < capacity)
+            order[count] = tree->index[i];
+        ++count;
+    }
+    return count;
+}
 
 /* d^2(x), the square of the distance of a point x to a segment (or to a box), is convex in x, for both are convex sets.
    Within a triangle it lies therefore

@@ -103,6 +103,7 @@
    ERRORS, MEMORY, THREADS
    Every function that can fail returns a tr_result and logs through desc.log_fn. A failed tr_begin leaves the state as
    found and nothing allocated that tr_destroy would not free; the next frame may be tried. One heap block a context.
+   tr_set_edges and tr_find_outlines make textures of their own when sizes change, and hold them until tr_release.
    Textures are created when a plan first needs them or the size changes (never in a steady frame): 24 bytes a pixel with
    everything on, see tr_plan.bytes_per_pixel. One context of ours for one GL context, used from the thread that has it current.
 
@@ -117,8 +118,27 @@
      depth, slack as attribute 0, centre x, y as attribute 1), ask for them with wishes.lines, and draw them in passes
      whose pass.lines is not 0: the creases of an object or its outlines.
    - View-dependent alpha: attribute 2 holds each vertex's distance to the nearest silhouette (sil_distances),
-     material.d_max the largest (sil_max_distance).
+     material.d_max the largest (sil_max_distance). Where that shows bands or seams: the next section.
    - Existing depth: the picture is drawn into the target depth tested, so what the host drew before hides it.
+
+   THE ALPHA LADDER
+   alpha = 1 - (d / d_max)^k (equation 2), d the distance to the nearest silhouette in the world. frame.wishes.alpha says
+   how d is had; prices and errors are in docs/transparency.md. Each rung is a program of its own: what is not used costs
+   nothing.
+   - TR_ALPHA_PUBLISHED    alpha at vertices, attribute 2. As good as the mesh is fine; a box is opaque
+   - TR_ALPHA_DISTANCE     (default) the same distances, alpha a pixel: the law's bend is right within a triangle
+   - TR_ALPHA_CANDIDATES   distance a pixel to the edges that its triangle carries: the field itself, no band, no seam.
+                           tr_set_edges with the lists of sil_candidates when the eye or the object has moved. Attribute 4
+                           (an unsigned integer, glVertexAttribIPointer) holds the triangle's number at its last vertex,
+                           so that vertices are not shared unless a triangle has one that is last in it alone. The
+                           larger a triangle, the more edges it carries to each of its pixels: divide the largest
+   - TR_ALPHA_EXACT        distance a pixel to all edges by a hierarchy over them: the same field, nothing per triangle,
+                           any mesh as it is. tr_set_edges with the order of sil_edge_tree_order
+   - TR_ALPHA_IMAGE        distance a pixel in the picture, to outlines found in it: for hosts without meshes on the CPU,
+                           who draw depth (and ids) of the transparent objects themselves before tr_find_outlines. Knows
+                           the front-most surface alone, and is right to a pixel where that faces the eye
+   Hosts' own programs put the strings of tr_alpha_glsl() after those of tr_glsl(), and multiply their alpha by tr_alpha().
+   Shaders that cost much may ask tr_may_show() first.
 
    LIMITS AND PRECISION
    - Depths are 32-bit floats; transparent layers are told apart down to one unit in the last place. Opaque things are
@@ -192,7 +212,7 @@ typedef struct tr_desc {
     void *log_user;
     tr_state_policy state;
     int max_gl_version;     /* 0: what the context has; 330: use nothing newer than 3.3 (for tests of fall-backs) */
-    int first_texture_unit; /* TR_TEXTURE_UNITS units from here on are ours; 0: 8 */
+    int first_texture_unit; /* TR_TEXTURE_UNITS + 2 units from here on are ours; 0: 8 */
     int uniform_binding;    /* uniform buffer binding point that is ours; 0: 15 */
     int reversed_z;         /* 1: near is 1, far is 0 */
     int front_face_cw;      /* 1: front faces are wound clockwise in window space */
@@ -247,6 +267,16 @@ typedef enum tr_blending {
     TR_BLENDING_PUBLISHED   /* alpha C + w D, clamped by the target */
 } tr_blending;
 
+/* How equation 2 is evaluated, by rising accuracy but for the first two: see THE ALPHA LADDER. */
+typedef enum tr_alpha {
+    TR_ALPHA_DISTANCE,   /* distance at vertices (attribute 2), alpha a pixel */
+    TR_ALPHA_PUBLISHED,  /* distance and alpha at vertices: Diepstraten 2002, section 5 */
+    TR_ALPHA_CANDIDATES, /* distance a pixel, to the edges that each triangle carries: tr_set_edges */
+    TR_ALPHA_EXACT,      /* distance a pixel, to all edges of the object: tr_set_edges */
+    TR_ALPHA_IMAGE,      /* distance a pixel, in the image, to outlines found there: tr_find_outlines */
+    TR_ALPHA_COUNT
+} tr_alpha;
+
 enum {
     TR_LINES_CREASES = 1,
     TR_LINES_OUTLINES = 2, /* silhouettes and boundaries */
@@ -267,6 +297,7 @@ typedef struct tr_wishes {
     uint32_t layers;      /* TR_INTERIOR_LAYERS: 1 ... TR_MAX_LAYERS; else the most of a group that are shown; 0: all */
     uint32_t options;     /* TR_WISH_* */
     uint32_t supersample; /* our textures per side of a pixel, 1 ... TR_MAX_SUPERSAMPLE; 0: 1, multisampled targets 2 */
+    tr_alpha alpha;
 } tr_wishes;
 
 typedef struct tr_frame {
@@ -379,6 +410,8 @@ typedef struct tr_state {
     uint32_t textures[TR_TEXTURE_UNITS];        /* on unit first_texture_unit + i, no sampler object; 0: not read */
     uint32_t texture_targets[TR_TEXTURE_UNITS]; /* GL_TEXTURE_2D or GL_TEXTURE_2D_ARRAY */
     int first_texture_unit;
+    uint32_t
+        edge_textures[2];    /* GL_TEXTURE_2D on the two units after those; 0: not read, and the unit is not touched */
     uint32_t uniform_buffer; /* bound to uniform_binding, this range of it */
     int uniform_binding, uniform_offset, uniform_size;
     int clear_color, clear_depth; /* 1: clear before drawing */
@@ -419,6 +452,60 @@ TR_DEF tr_result tr_end(tr_context *tr); /* may come early: what is drawn so far
 /* The number that shaders know an object by: id, group (from bit 24) and, in bit 31, whether its interiors are explicit. */
 TR_DEF uint32_t tr_object_code(const tr_object *object, const tr_wishes *wishes);
 
+/* ---- edges for alpha -------------------------------------------------------------------------------------------- */
+
+/* The silhouettes (or whatever lines) of one object, that alpha's distance is measured to: plain arrays, from
+   silhouette.h or anything else, not needed after tr_set_edges. */
+typedef struct tr_edges {
+    const float *positions; /* x, y, z of points in object space */
+    size_t position_stride; /* bytes; 0: 12 */
+    size_t position_count;
+    const uint32_t *ends; /* two indices of points an edge; an array of sil_edge begins with them */
+    size_t end_stride;    /* bytes; 0: 8 */
+    /* 0: no silhouette, so that alpha is 0. Edges with a point that is not finite count as none. */
+    size_t edge_count;
+    /* For TR_ALPHA_EXACT: which edges of `ends`, edge_count of them, in an order in which neighbours are close
+       (sil_edge_tree_order). NULL: as they come, slower if that is not so. */
+    const uint32_t *order;
+    /* For TR_ALPHA_CANDIDATES, as sil_candidates makes them: the edges that triangle i carries are
+       candidates[offsets[i]] ... candidates[offsets[i + 1] - 1]; offsets has triangle_count + 1 numbers. */
+    const uint32_t *offsets, *candidates;
+    size_t triangle_count;
+    float model[9]; /* object to world, column-major 3x3: distances are in world units. All zero: the identity */
+} tr_edges;
+
+/* Where an object's edges are on the GPU, as the two uniforms of alpha_vertex.glsl and alpha_fragment.glsl. */
+typedef struct tr_edge_set {
+    float frame[16];    /* vec4 tr_edge_frame[4] */
+    uint32_t ranges[4]; /* uvec4 tr_edge_ranges */
+} tr_edge_set;
+
+/* Uploads the edges of all objects of the frames to come into two textures of ours, and fills `sets`, one an object. Call
+   it when a silhouette has changed, before tr_begin; GL state is left as found. Nothing is created or allocated while the
+   sizes change by less than a quarter. Either order or offsets, candidates; a set made for one rung is searched whole,
+   which is right and slow, by the other. count 0 frees the textures. TR_INVALID_ARGUMENT: NULL, an index out of range,
+   offsets that fall, a matrix that is not finite. TR_TOO_LARGE: more than 1024 * GL_MAX_TEXTURE_SIZE texels of 16 bytes (two
+   an edge, and 2/7 of one for the hierarchy) or of 4 (one a triangle, one a candidate). TR_WRONG_ORDER: inside of a
+   frame. After an error the sets of before are still good. */
+TR_DEF tr_result tr_set_edges(tr_context *tr, const tr_edges *edges, size_t count, tr_edge_set *sets);
+
+/* An image of the front-most transparent surfaces, drawn by the host before the frame, as large as that or not. */
+typedef struct tr_outlines {
+    uint32_t depth_texture; /* GL_TEXTURE_2D, depth or red, without comparison and complete; far where nothing is */
+    uint32_t id_texture;    /* GL_TEXTURE_2D of one unsigned integer: which object; 0: outlines from depth alone */
+    int width, height;      /* of both; at most 65535 */
+    float projection[16];   /* with which it was drawn */
+} tr_outlines;
+
+/* For TR_ALPHA_IMAGE: finds the outlines in an image, and each pixel's nearest by jump flooding. For hosts that have no
+   meshes on the CPU: sees what is front-most and nothing of hidden outlines, measures across the picture (what slants
+   away is nearer to its outline than it is), and is right to a pixel. Draws 2 + log2(size) times over the image into two
+   textures of ours, 4 bytes a pixel each, made when the size changes; GL state is left as found, and nothing is waited
+   for. TR_WRONG_ORDER: inside of a frame. */
+TR_DEF tr_result tr_find_outlines(tr_context *tr, const tr_outlines *image);
+/* The uniform tr_outline of alpha_fragment.glsl, for programs of the host's, within a frame. */
+TR_DEF void tr_outline_uniform(const tr_context *tr, float uniform[3]);
+
 /* Uniforms of the built-in surface programs. */
 typedef struct tr_material {
     float model_view_projection[16];    /* column-major */
@@ -428,6 +515,8 @@ typedef struct tr_material {
     float model[16];                    /* column-major, object to the space of the segments; for TR_WISH_ENTERING */
     int crossing_first, crossing_count; /* this object's among the segments of tr_set_crossings */
     uint32_t object;                    /* tr_object_code, or the id alone without groups and methods of its own */
+    const tr_edge_set *edges;           /* of TR_ALPHA_CANDIDATES and TR_ALPHA_EXACT; NULL: no edges */
+    uint32_t first_triangle;            /* of TR_ALPHA_CANDIDATES: added to the triangles' numbers */
 } tr_material;
 
 /* A triangle mesh, as far as its shape goes. */
@@ -454,6 +543,11 @@ typedef enum tr_stage { TR_VERTEX, TR_FRAGMENT, TR_STAGE_COUNT } tr_stage;
 
 /* Strings (with #version) to put before a shader of the host's; valid as long as the context; NULL for bad arguments. */
 TR_DEF const char *const *tr_glsl(const tr_context *tr, tr_stage stage, tr_rule rule, int *count);
+/* Strings to put after those of tr_glsl and before the host's own: tr_alpha_vertex(position, distance, triangle) for the
+   vertex stage, tr_alpha() for the fragment stage (see shaders/alpha_vertex.glsl). The host sets the uniforms
+   tr_falloff (d_max, k) and, for the last two rungs, tr_edge_frame and tr_edge_ranges from a tr_edge_set. NULL for bad
+   arguments. */
+TR_DEF const char *const *tr_alpha_glsl(const tr_context *tr, tr_stage stage, tr_alpha alpha, int *count);
 /* Once for each linked program of the host's that has tr_glsl in it. */
 TR_DEF tr_result tr_prepare_program(tr_context *tr, uint32_t program);
 
@@ -506,6 +600,168 @@ TR_DEF float tr_view_alpha(float d, float d_max, float k);
 /* clang-format off */
 /* ==== generated from shaders/ by tools/embed_shaders: edit there, then `make shaders` ==== */
 /* clang-format off */
+static const char *const tr_i_shader_alpha_fragment_glsl[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// View-dependent alpha, fragment stage: tr_alpha() is equation 2 of Diepstraten 2002 at this pixel, by the rung TR_ALPHA.\n"
+    "#define TR_ALPHA_DISTANCE 0\n"
+    "#define TR_ALPHA_PUBLISHED 1\n"
+    "#define TR_ALPHA_CANDIDATES 2\n"
+    "#define TR_ALPHA_EXACT 3\n"
+    "#define TR_ALPHA_IMAGE 4\n"
+    "\n"
+    "uniform highp vec2 tr_falloff;\n"
+    "#if TR_ALPHA == TR_ALPHA_DISTANCE || TR_ALPHA == TR_ALPHA_PUBLISHED\n"
+    "in highp float tr_v_falloff;\n"
+    "#elif TR_ALPHA == TR_ALPHA_IMAGE\n"
+    "uniform highp usampler2D tr_outlines; // the nearest outline's pixel\n"
+    "uniform highp vec3 tr_outline;        // size of its pixels in the world where w is 1, its pixels a fragment\n"
+    "#define TR_NOWHERE 65535u\n"
+    "#else\n"
+    "uniform highp vec4 tr_edge_frame[4]; // [3].w: the unit of the frame, in the world\n"
+    "uniform highp uvec4 tr_edge_ranges;  // tr_edge_set.ranges\n"
+    "uniform highp sampler2D tr_edge_segments;\n"
+    "in highp vec3 tr_v_place;\n"
+    "#if TR_ALPHA == TR_ALPHA_CANDIDATES\n"
+    "uniform highp usampler2D tr_edge_lists;\n"
+    "#ifndef TR_TRIANGLE\n"
+    "flat in highp uint tr_v_triangle;\n"
+    "#define TR_TRIANGLE tr_v_triangle\n"
+    "#endif\n"
+    "#endif\n"
+    "\n"
+    "#define TR_NO_LIST 0xffffffffu\n"
+    "#define TR_FAR 3.0e38\n"
+    "\n"
+    "// Both textures are arrays in rows of 1024.\n"
+    "highp vec4 tr_edge_texel(highp uint at)\n"
+    "{\n"
+    "    return texelFetch(tr_edge_segments, ivec2(at & 1023u, at >> 10u), 0);\n"
+    "}\n"
+    "\n"
+    "// The square of the distance to one segment: start and 1 / length^2 (0: a point), then the way to its end.\n"
+    "highp float tr_edge_square(highp uint segment)\n"
+    "{\n"
+    "    highp uint at = tr_edge_ranges.x + 2u * segment;\n"
+    "    highp vec4 start = tr_edge_texel(at);\n"
+    "    highp vec3 way = tr_edge_texel(at + 1u).xyz;\n"
+    "    highp vec3 from = tr_v_place - start.xyz;\n"
+    "    from -= clamp(dot(from, way) * start.w, 0.0, 1.0) * way;\n"
+    "    return dot(from, from);\n"
+    "}\n"
+    "\n"
+    "highp float tr_edge_square_of_range(highp uint first, highp uint end, highp float least)\n"
+    "{\n"
+    "    for (highp uint i = first; i < end; ++i)\n"
+    "        least = min(least, tr_edge_square(i));\n"
+    "    return least;\n"
+    "}\n"
+    "\n"
+    "#if TR_ALPHA == TR_ALPHA_CANDIDATES\n"
+    "highp uint tr_edge_entry(highp uint at)\n"
+    "{\n"
+    "    return texelFetch(tr_edge_lists, ivec2(at & 1023u, at >> 10u), 0).r;\n"
+    "}\n"
+    "\n"
+    "highp float tr_edge_least()\n"
+    "{\n"
+    "    if (tr_edge_ranges.w == TR_NO_LIST)\n"
+    "        return tr_edge_square_of_range(0u, tr_edge_ranges.y, TR_FAR);\n"
+    "    highp uint offset = tr_edge_ranges.z + TR_TRIANGLE;\n"
+    "    highp uint first = tr_edge_entry(offset);\n"
+    "    // No list is longer than there are edges: a triangle that has none, drawn by mistake, is no endless loop.\n"
+    "    highp uint count = min(tr_edge_entry(offset + 1u) - first, tr_edge_ranges.y);\n"
+    "    highp float least = TR_FAR;\n"
+    "    for (highp uint i = 0u; i < count; ++i)\n"
+    "        least = min(least, tr_edge_square(tr_edge_entry(tr_edge_ranges.w + first + i)));\n"
+    "    return least;\n"
+    "}\n"
+    "#else\n"
+    "// Boxes of eight segments, of eight boxes and so on, each before its children, from texel x + 2 y on: middle and the\n"
+    "// number of the box after its last descendant; half size and the first of its segments, or -1.\n"
+    "highp float tr_edge_box_square(highp uint box, out highp uint next, out highp float leaf)\n"
+    "{\n"
+    "    highp uint at = tr_edge_ranges.x + 2u * (tr_edge_ranges.y + box);\n"
+    "    highp vec4 middle = tr_edge_texel(at), extent = tr_edge_texel(at + 1u);\n"
+    "    highp vec3 outside = max(abs(tr_v_place - middle.xyz) - extent.xyz, 0.0);\n"
+    "    next = max(uint(middle.w), box + 1u);\n"
+    "    leaf = extent.w;\n"
+    "    return dot(outside, outside);\n"
+    "}\n"
+    "\n"
+    "highp float tr_edge_square_of_leaf(highp float leaf, highp float least)\n"
+    "{\n"
+    "    highp uint first = uint(leaf);\n"
+    "    return tr_edge_square_of_range(first, min(first + 8u, tr_edge_ranges.y), least);\n"
+    "}\n"
+    "\n"
+    "// Down to the box that is nearest each time: a first guess, so that the search after it passes most boxes by.\n"
+    "highp float tr_edge_guess()\n"
+    "{\n"
+    "    highp uint box = 0u, end = 0u, next = 0u;\n"
+    "    highp float leaf = 0.0;\n"
+    "    tr_edge_box_square(0u, end, leaf);\n"
+    "    while (leaf < 0.0) {\n"
+    "        highp float least = TR_FAR, leaf_here = 0.0;\n"
+    "        highp uint best_end = end, best = box + 1u;\n"
+    "        for (highp uint child = box + 1u; child < end; child = next) {\n",
+    "#line 104\n"
+    "            highp float square = tr_edge_box_square(child, next, leaf_here);\n"
+    "            if (square < least) {\n"
+    "                least = square;\n"
+    "                best = child;\n"
+    "                best_end = next;\n"
+    "                leaf = leaf_here;\n"
+    "            }\n"
+    "        }\n"
+    "        if (best >= tr_edge_ranges.z)\n"
+    "            return TR_FAR;\n"
+    "        box = best;\n"
+    "        end = best_end;\n"
+    "    }\n"
+    "    return tr_edge_square_of_leaf(leaf, TR_FAR);\n"
+    "}\n"
+    "\n"
+    "highp float tr_edge_least()\n"
+    "{\n"
+    "    if (tr_edge_ranges.w != TR_NO_LIST)\n"
+    "        return tr_edge_square_of_range(0u, tr_edge_ranges.y, TR_FAR);\n"
+    "    highp float least = tr_edge_guess(), leaf = 0.0;\n"
+    "    highp uint next = 0u;\n"
+    "    for (highp uint box = 0u; box < tr_edge_ranges.z; box = next) {\n"
+    "        bool skip = tr_edge_box_square(box, next, leaf) >= least;\n"
+    "        if (!skip && leaf >= 0.0)\n"
+    "            least = tr_edge_square_of_leaf(leaf, least);\n"
+    "        if (!skip)\n"
+    "            next = box + 1u;\n"
+    "    }\n"
+    "    return least;\n"
+    "}\n"
+    "#endif\n"
+    "#endif\n"
+    "\n"
+    "float tr_alpha()\n"
+    "{\n"
+    "#if TR_ALPHA == TR_ALPHA_PUBLISHED\n"
+    "    return tr_v_falloff;\n"
+    "#elif TR_ALPHA == TR_ALPHA_DISTANCE\n"
+    "    return tr_view_alpha(tr_v_falloff, tr_falloff.x, tr_falloff.y);\n"
+    "#elif TR_ALPHA == TR_ALPHA_IMAGE\n"
+    "    highp vec2 place = gl_FragCoord.xy * tr_outline.yz;\n"
+    "    highp uvec2 nearest = texelFetch(tr_outlines, ivec2(place), 0).rg;\n"
+    "    // gl_FragCoord.w is 1 / w: the distance along the view, or 1 where parallel lines stay parallel.\n"
+    "    highp float distance = length(vec2(nearest) + 0.5 - place) * tr_outline.x / gl_FragCoord.w;\n"
+    "    return tr_view_alpha(nearest.x == TR_NOWHERE ? 3.0e38 : distance, tr_falloff.x, tr_falloff.y);\n"
+    "#else\n"
+    "    if (!tr_positive(tr_falloff.x))\n"
+    "        return 1.0;\n"
+    "    highp float distance = TR_FAR; // without an edge, as with the eye inside: no silhouette anywhere\n"
+    "    if (tr_edge_ranges.y > 0u)\n"
+    "        distance = sqrt(tr_edge_least()) * tr_edge_frame[3].w;\n"
+    "    return tr_view_alpha(distance, tr_falloff.x, tr_falloff.y);\n"
+    "#endif\n"
+    "}\n",
+    0};
 static const char *const tr_i_shader_alpha_law_glsl[] = {
     "#line 1\n"
     "// For: transparency.h\n"
@@ -530,6 +786,49 @@ static const char *const tr_i_shader_alpha_law_glsl[] = {
     "    // The floor keeps log2 finite where a driver flushes denormals to zero.\n"
     "    highp float ratio = max(d / d_max, 1.0e-30);\n"
     "    return clamp(1.0 - exp2(k * log2(ratio)), 0.0, 1.0);\n"
+    "}\n",
+    0};
+static const char *const tr_i_shader_alpha_vertex_glsl[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// View-dependent alpha, vertex stage: what the rung TR_ALPHA of the ladder needs from the vertices.\n"
+    "//\n"
+    "// A vertex shader calls tr_alpha_vertex(position, distance, triangle) once: the vertex in object space; its distance to\n"
+    "// the nearest silhouette, which the first two rungs read; and the number of its triangle, for the third, which reads that\n"
+    "// of the triangle's last vertex. An attribute, for gl_PrimitiveID is not in ES 3.0, and Mesa's softpipe draws nothing\n"
+    "// with it and counts gl_VertexID anew every few thousand vertices. A host that trusts its drivers defines TR_TRIANGLE as\n"
+    "// uint(gl_PrimitiveID) before these strings in both stages, passes 0, and draws by indices.\n"
+    "#define TR_ALPHA_DISTANCE 0   // distance at vertices, alpha a pixel\n"
+    "#define TR_ALPHA_PUBLISHED 1  // alpha at vertices: Diepstraten 2002\n"
+    "#define TR_ALPHA_CANDIDATES 2 // distance a pixel, to the edges that the triangle carries\n"
+    "#define TR_ALPHA_EXACT 3      // distance a pixel, to all edges of the object\n"
+    "#define TR_ALPHA_IMAGE 4      // distance a pixel, to outlines found in an image\n"
+    "\n"
+    "uniform highp vec2 tr_falloff; // d_max, k of equation 2; d_max = 0 for a constant alpha\n"
+    "#if TR_ALPHA == TR_ALPHA_DISTANCE || TR_ALPHA == TR_ALPHA_PUBLISHED\n"
+    "out highp float tr_v_falloff; // the distance, or alpha\n"
+    "#elif TR_ALPHA != TR_ALPHA_IMAGE\n"
+    "uniform highp vec4 tr_edge_frame[4]; // tr_edge_set.frame: columns, then the middle\n"
+    "out highp vec3 tr_v_place;           // in the frame of the edges\n"
+    "#if TR_ALPHA == TR_ALPHA_CANDIDATES && !defined(TR_TRIANGLE)\n"
+    "flat out highp uint tr_v_triangle;\n"
+    "#endif\n"
+    "#endif\n"
+    "\n"
+    "void tr_alpha_vertex(highp vec3 position, highp float distance, highp uint triangle)\n"
+    "{\n"
+    "#if TR_ALPHA == TR_ALPHA_DISTANCE\n"
+    "    // No two points are further apart than 2 d_max; what is infinite could not be interpolated.\n"
+    "    tr_v_falloff = min(distance, min(2.0 * tr_falloff.x, 1.0e30));\n"
+    "#elif TR_ALPHA == TR_ALPHA_PUBLISHED\n"
+    "    tr_v_falloff = tr_view_alpha(distance, tr_falloff.x, tr_falloff.y);\n"
+    "#elif TR_ALPHA != TR_ALPHA_IMAGE\n"
+    "    highp vec3 from = position - tr_edge_frame[3].xyz;\n"
+    "    tr_v_place = from.x * tr_edge_frame[0].xyz + from.y * tr_edge_frame[1].xyz + from.z * tr_edge_frame[2].xyz;\n"
+    "#if TR_ALPHA == TR_ALPHA_CANDIDATES && !defined(TR_TRIANGLE)\n"
+    "    tr_v_triangle = triangle;\n"
+    "#endif\n"
+    "#endif\n"
     "}\n",
     0};
 static const char *const tr_i_shader_chain_glsl[] = {
@@ -908,6 +1207,97 @@ static const char *const tr_i_shader_line_vert[] = {
     "    gl_Position = vec4(2.0 * (tr_line_corner.xy + tr_shift.xy) / tr_viewport.zw - 1.0, 0.0, 1.0);\n"
     "}\n",
     0};
+static const char *const tr_i_shader_outline_frag[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// Outlines in the image, and the nearest one of each pixel, for hosts without meshes on the CPU.\n"
+    "//\n"
+    "// TR_JUMP 0: a pixel of the surface is an outline where a neighbour is none of it, is another object's and farther, or\n"
+    "// is farther by more than the surface's own slope explains. TR_JUMP 1: one round of jump flooding (Rong and Tan 2006):\n"
+    "// the nearest outline that is known to one of the nine pixels tr_jump apart. Where there are ids, an object's pixels\n"
+    "// take outlines of that object alone.\n"
+    "uniform highp sampler2D tr_scene_depth;\n"
+    "#if TR_HAS_IDS\n"
+    "uniform highp usampler2D tr_ids;\n"
+    "#endif\n"
+    "#if TR_JUMP\n"
+    "uniform highp usampler2D tr_nearest; // x, y of a pixel; TR_NOWHERE: none is known\n"
+    "uniform highp int tr_jump;\n"
+    "#else\n"
+    "uniform highp vec4 tr_depth_law; // distance along the view of window depth d: (x + y d) / (z + w d)\n"
+    "uniform highp vec2 tr_pixel;     // size of a pixel in the world: x, or y at distance 1\n"
+    "#endif\n"
+    "layout(location = 0) out highp uvec2 tr_outline_here;\n"
+    "\n"
+    "#define TR_NOWHERE 65535u\n"
+    "\n"
+    "bool tr_same_object(ivec2 a, ivec2 b)\n"
+    "{\n"
+    "#if TR_HAS_IDS\n"
+    "    return texelFetch(tr_ids, a, 0).r == texelFetch(tr_ids, b, 0).r;\n"
+    "#else\n"
+    "    return true;\n"
+    "#endif\n"
+    "}\n"
+    "\n"
+    "#if TR_JUMP\n"
+    "void main()\n"
+    "{\n"
+    "    ivec2 here = ivec2(gl_FragCoord.xy), last = textureSize(tr_nearest, 0) - 1;\n"
+    "    highp float least = 3.0e38;\n"
+    "    tr_outline_here = uvec2(TR_NOWHERE);\n"
+    "    for (int y = -1; y <= 1; ++y) {\n"
+    "        for (int x = -1; x <= 1; ++x) {\n"
+    "            ivec2 at = here + ivec2(x, y) * tr_jump;\n"
+    "            if (at != clamp(at, ivec2(0), last))\n"
+    "                continue;\n"
+    "            highp uvec2 found = texelFetch(tr_nearest, at, 0).rg;\n"
+    "            if (found.x == TR_NOWHERE || !tr_same_object(ivec2(found), here))\n"
+    "                continue;\n"
+    "            highp vec2 way = vec2(found) - vec2(here);\n"
+    "            if (dot(way, way) < least) {\n"
+    "                least = dot(way, way);\n"
+    "                tr_outline_here = found;\n"
+    "            }\n"
+    "        }\n"
+    "    }\n"
+    "}\n"
+    "#else\n"
+    "highp float tr_distance_at(ivec2 pixel)\n"
+    "{\n"
+    "    highp float depth = texelFetch(tr_scene_depth, pixel, 0).r;\n"
+    "    return (tr_depth_law.x + tr_depth_law.y * depth) / (tr_depth_law.z + tr_depth_law.w * depth);\n"
+    "}\n"
+    "\n"
+    "bool tr_ends(ivec2 here, ivec2 step, highp float distance)\n"
+    "{\n"
+    "    ivec2 last = textureSize(tr_scene_depth, 0) - 1, next = here + step, before = here - step;\n"
+    "    if (next != clamp(next, ivec2(0), last))\n"
+    "        return false; // the image ends here, the object need not\n"
+    "    if (texelFetch(tr_scene_depth, next, 0).r == TR_CLEAR_DEPTH)\n"
+    "        return true;\n"
+    "    highp float gap = tr_distance_at(next) - distance;\n"
+    "    if (!tr_same_object(here, next))\n"
+    "        return gap > 0.0;\n"
+    "    highp float slope = 0.0;\n"
+    "    if (before == clamp(before, ivec2(0), last) && texelFetch(tr_scene_depth, before, 0).r != TR_CLEAR_DEPTH)\n"
+    "        slope = abs(distance - tr_distance_at(before));\n"
+    "    return gap > 3.0 * slope + 4.0 * (tr_pixel.x + tr_pixel.y * distance);\n"
+    "}\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    ivec2 here = ivec2(gl_FragCoord.xy);\n"
+    "    tr_outline_here = uvec2(TR_NOWHERE);\n"
+    "    if (texelFetch(tr_scene_depth, here, 0).r == TR_CLEAR_DEPTH)\n"
+    "        return;\n"
+    "    highp float distance = tr_distance_at(here);\n"
+    "    if (tr_ends(here, ivec2(1, 0), distance) || tr_ends(here, ivec2(-1, 0), distance) ||\n"
+    "        tr_ends(here, ivec2(0, 1), distance) || tr_ends(here, ivec2(0, -1), distance))\n"
+    "        tr_outline_here = uvec2(here);\n"
+    "}\n"
+    "#endif\n",
+    0};
 static const char *const tr_i_shader_surface_frag[] = {
     "#line 1\n"
     "// For: transparency.h\n"
@@ -934,6 +1324,10 @@ static const char *const tr_i_shader_surface_frag[] = {
     "#if TR_STRENGTHENS\n"
     "    color = tr_strengthen(color, tr_v_position, tr_crossing_range);\n"
     "#endif\n"
+    "#if TR_WANTS_ALPHA\n"
+    "    if (tr_may_show())\n"
+    "        color.a *= tr_alpha();\n"
+    "#endif\n"
     "    tr_surface(color, tr_object);\n"
     "#else\n"
     "    tr_surface(vec4(0.0), tr_object);\n"
@@ -946,8 +1340,13 @@ static const char *const tr_i_shader_surface_vert[] = {
     "// Built-in surface program for hosts without shaders of their own: vertex stage.\n"
     "layout(location = 0) in highp vec3 tr_position;\n"
     "layout(location = 1) in highp vec3 tr_normal;\n"
-    "layout(location = 2) in highp float tr_distance; // to the nearest silhouette, see alpha_law.glsl\n"
+    "layout(location = 2) in highp float tr_distance; // to the nearest silhouette, for the rungs of alpha that want it\n"
     "layout(location = 3) in highp vec3 tr_tint;      // added to the object's colour; by default 0\n"
+    "#if TR_WANTS_ALPHA && TR_ALPHA == TR_ALPHA_CANDIDATES\n"
+    "layout(location = 4) in highp uint tr_triangle; // its number, at the last vertex of each\n"
+    "#else\n"
+    "#define tr_triangle 0u\n"
+    "#endif\n"
     "\n"
     "uniform highp mat4 tr_model_view_projection;\n"
     "#if TR_STRENGTHENS\n"
@@ -957,7 +1356,6 @@ static const char *const tr_i_shader_surface_vert[] = {
     "#if TR_WANTS_COLOR\n"
     "uniform highp mat3 tr_normal_matrix;\n"
     "uniform highp vec4 tr_object_color; // a: alpha on the silhouette\n"
-    "uniform highp vec2 tr_falloff;      // d_max, k of equation 2; d_max = 0 for a constant alpha\n"
     "out highp vec3 tr_v_normal;\n"
     "out highp vec4 tr_v_color;\n"
     "#endif\n"
@@ -966,8 +1364,10 @@ static const char *const tr_i_shader_surface_vert[] = {
     "{\n"
     "#if TR_WANTS_COLOR\n"
     "    tr_v_normal = tr_normal_matrix * tr_normal;\n"
-    "    tr_v_color = vec4(tr_object_color.rgb + tr_tint,\n"
-    "                      tr_object_color.a * tr_view_alpha(tr_distance, tr_falloff.x, tr_falloff.y));\n"
+    "    tr_v_color = vec4(tr_object_color.rgb + tr_tint, tr_object_color.a);\n"
+    "#endif\n"
+    "#if TR_WANTS_ALPHA\n"
+    "    tr_alpha_vertex(tr_position, tr_distance, tr_triangle);\n"
     "#endif\n"
     "#if TR_STRENGTHENS\n"
     "    tr_v_position = (tr_model * vec4(tr_position, 1.0)).xyz;\n"
@@ -1107,6 +1507,16 @@ static const char *const tr_i_shader_surface_rules_glsl[] = {
     "}\n"
     "#endif\n"
     "\n"
+    "// Whether tr_surface may keep this fragment's colour: for shaders that have much to do before they call it.\n"
+    "bool tr_may_show()\n"
+    "{\n"
+    "#if TR_RULE == TR_RULE_LAYER || TR_RULE == TR_RULE_LAYER_MARKED || TR_RULE == TR_RULE_LAYER_GROUP\n"
+    "    return gl_FragCoord.z == texelFetch(tr_front_depth, ivec3(gl_FragCoord.xy, tr_step.x >> 1), 0).r;\n"
+    "#else\n"
+    "    return true;\n"
+    "#endif\n"
+    "}\n"
+    "\n"
     "void tr_surface(highp vec4 color, highp uint object)\n"
     "{\n"
     "#if TR_RULE >= TR_RULE_OPAQUE\n"
@@ -1142,7 +1552,8 @@ static const char *const tr_i_shader_surface_rules_glsl[] = {
     "    if (owner || TR_BEHIND(front, depth))\n"
     "        discard;\n"
     "#endif\n"
-    "#elif TR_RULE == TR_RULE_LIMIT_MARKED\n"
+    "#elif TR_RULE == TR_RULE_LIMIT_MARKED\n",
+    "#line 176\n"
     "    if (!tr_limits(depth, gl_FrontFacing, object, pixel))\n"
     "        discard;\n"
     "#elif TR_RULE == TR_RULE_LIMIT_MARKED_SHEET\n"
@@ -1155,8 +1566,7 @@ static const char *const tr_i_shader_surface_rules_glsl[] = {
     "#endif\n"
     "#if TR_WANTS_COLOR\n"
     "    tr_color = color;\n"
-    "#endif\n",
-    "#line 179\n"
+    "#endif\n"
     "#if TR_RULE == TR_RULE_LAYER || TR_RULE == TR_RULE_LAYER_MARKED || TR_RULE == TR_RULE_LAYER_GROUP\n"
     "    gl_FragDepth = tr_owner_code(object);\n"
     "#else\n"
@@ -1258,6 +1668,18 @@ static const char *const tr_i_shader_surface_vertex_glsl[] = {
 #define TR_I_GL_READ_FRAMEBUFFER_BINDING 0x8CAAu
 #define TR_I_GL_RGBA 0x1908u
 #define TR_I_GL_RGBA8 0x8058u
+#define TR_I_GL_RGBA32F 0x8814u
+#define TR_I_GL_R32UI 0x8236u
+#define TR_I_GL_RED_INTEGER 0x8D94u
+#define TR_I_GL_RG16UI 0x823Au
+#define TR_I_GL_RG_INTEGER 0x8228u
+#define TR_I_GL_UNSIGNED_SHORT 0x1403u
+#define TR_I_GL_UNPACK_SWAP_BYTES 0x0CF0u
+#define TR_I_GL_UNPACK_ROW_LENGTH 0x0CF2u
+#define TR_I_GL_UNPACK_SKIP_ROWS 0x0CF3u
+#define TR_I_GL_UNPACK_SKIP_PIXELS 0x0CF4u
+#define TR_I_GL_UNPACK_ALIGNMENT 0x0CF5u
+#define TR_I_GL_UNSIGNED_INT 0x1405u
 #define TR_I_GL_SAMPLER_BINDING 0x8919u
 #define TR_I_GL_SAMPLES 0x80A9u
 #define TR_I_GL_SAMPLE_ALPHA_TO_COVERAGE 0x809Eu
@@ -1354,11 +1776,14 @@ typedef const char *const *tr_i_strings;
     X(void, TexImage2D, (tr_i_u, int32_t, int32_t, int32_t, int32_t, int32_t, tr_i_u, tr_i_u, const void *))           \
     X(void, TexImage3D, (tr_i_u, int32_t, int32_t, int32_t, int32_t, int32_t, int32_t, tr_i_u, tr_i_u, const void *))  \
     X(void, TexParameteri, (tr_i_u, tr_i_u, int32_t))                                                                  \
+    X(void, TexSubImage2D, (tr_i_u, int32_t, int32_t, int32_t, int32_t, int32_t, tr_i_u, tr_i_u, const void *))        \
     X(void, Uniform1i, (int32_t, int32_t))                                                                             \
     X(void, Uniform1ui, (int32_t, tr_i_u))                                                                             \
     X(void, Uniform2i, (int32_t, int32_t, int32_t))                                                                    \
     X(void, Uniform2f, (int32_t, float, float))                                                                        \
+    X(void, Uniform3f, (int32_t, float, float, float))                                                                 \
     X(void, Uniform4fv, (int32_t, int32_t, const float *))                                                             \
+    X(void, Uniform4ui, (int32_t, tr_i_u, tr_i_u, tr_i_u, tr_i_u))                                                     \
     X(void, UniformBlockBinding, (tr_i_u, tr_i_u, tr_i_u))                                                             \
     X(void, UniformMatrix3fv, (int32_t, int32_t, unsigned char, const float *))                                        \
     X(void, UniformMatrix4fv, (int32_t, int32_t, unsigned char, const float *))                                        \
@@ -1427,6 +1852,9 @@ static const tr_i_u tr_i_targets[TR_TEXTURE_UNITS] = {
     TR_I_GL_TEXTURE_2D_ARRAY, TR_I_GL_TEXTURE_2D_ARRAY, TR_I_GL_TEXTURE_2D_ARRAY, TR_I_GL_TEXTURE_2D,
     TR_I_GL_TEXTURE_2D,       TR_I_GL_TEXTURE_2D_ARRAY, TR_I_GL_TEXTURE_2D,       TR_I_GL_TEXTURE_2D};
 
+/* Arrays that alpha is found by, on the units after those: see tr_set_edges. */
+enum { TR_I_EDGE_SEGMENTS, TR_I_EDGE_LISTS, TR_I_EDGE_TEXTURE_COUNT };
+
 /* Framebuffers, by the textures attached. */
 enum {
     TR_I_FBO_DEPTH,                                  /* depth of a layer */
@@ -1441,18 +1869,23 @@ enum {
 };
 
 /* Built-in programs: one a rule, one that copies depth, and variants of the composition and of lines, which are found by
-   a key; see tr_i_key_of. More of these than a plan can need. */
+   a key; see tr_i_key_of. More of these than a plan can need. Then one a rule for each further rung of alpha. */
 #define TR_I_VARIANT_COUNT 24
 enum {
     TR_I_PROGRAM_COPY_DEPTH = TR_RULE_COUNT,
     TR_I_PROGRAM_VARIANT,
-    TR_I_PROGRAM_COUNT = TR_I_PROGRAM_VARIANT + TR_I_VARIANT_COUNT
+    TR_I_PROGRAM_ALPHA = TR_I_PROGRAM_VARIANT + TR_I_VARIANT_COUNT,
+    TR_I_PROGRAM_OUTLINE =
+        TR_I_PROGRAM_ALPHA + ((int)TR_ALPHA_COUNT - 1) * (int)TR_RULE_COUNT, /* found; jumps; with ids */
+    TR_I_PROGRAM_COUNT = TR_I_PROGRAM_OUTLINE + 4
 };
 
 typedef struct tr_i_program {
     tr_i_u name;  /* 0: not yet made */
     uint32_t key; /* of a variant */
     int32_t model_view_projection, normal_matrix, color, falloff, object, model, crossing_range;
+    int32_t edge_frame, edge_ranges, outline;
+    int32_t jump, depth_law, pixel; /* of those that find outlines */
 } tr_i_program;
 
 /* The uniform block tr_frame of shaders/frame_block.glsl, std140. */
@@ -1479,6 +1912,7 @@ typedef struct tr_i_snapshot {
     double depth_range[2];
     int32_t blend_func[4], blend_equation[2];
     int32_t active_texture, textures[TR_TEXTURE_UNITS], samplers[TR_TEXTURE_UNITS];
+    int32_t edge_textures[TR_I_EDGE_TEXTURE_COUNT], edge_samplers[TR_I_EDGE_TEXTURE_COUNT];
     int32_t uniform_buffer, indexed_buffer, copy_buffer, unpack_buffer;
     int64_t indexed_start, indexed_size;
 } tr_i_snapshot;
@@ -1492,11 +1926,18 @@ struct tr_context {
     int32_t max_width, max_height, max_texture; /* of a viewport; of a texture */
     const char *strings[TR_STAGE_COUNT][TR_RULE_COUNT][TR_I_MAX_STRINGS + 1];
     int string_count[TR_STAGE_COUNT][TR_RULE_COUNT];
+    const char *alpha_strings[TR_STAGE_COUNT][TR_ALPHA_COUNT][TR_I_MAX_STRINGS + 1];
+    int alpha_string_count[TR_STAGE_COUNT][TR_ALPHA_COUNT];
     tr_i_program programs[TR_I_PROGRAM_COUNT];
     int next_variant; /* to be replaced when there is no room */
     tr_i_u textures[TR_I_TEXTURE_COUNT], fbos[TR_I_FBO_COUNT];
     int slices[TR_I_TEXTURE_COUNT]; /* of array textures; else 1 */
     int width, height;              /* of the textures */
+    tr_i_u edge_textures[TR_I_EDGE_TEXTURE_COUNT];
+    size_t edge_rows[TR_I_EDGE_TEXTURE_COUNT]; /* of 1024 texels */
+    tr_i_u outline_textures[2], outline_fbos[2];
+    int outline_width, outline_height, outline_at; /* outline_at: which of the two has the result */
+    float outline_pixel;                           /* world size of its pixels where w is 1; 0: none found yet */
     tr_i_u vertex_array, uniform_buffer;
     tr_i_block block; /* as uploaded */
     int block_uploaded;
@@ -1854,7 +2295,7 @@ static int tr_i_wishes_are_valid(const tr_wishes *wishes) {
            wishes->lines <= (TR_LINES_CREASES | TR_LINES_OUTLINES | TR_LINES_HIDDEN | TR_LINES_OUTER) &&
            wishes->layers <= TR_MAX_LAYERS && wishes->supersample <= TR_MAX_SUPERSAMPLE &&
            wishes->options <= (TR_WISH_BLEND_COLOR | TR_WISH_SRGB | TR_WISH_ENTERING) &&
-           (wishes->interior != TR_INTERIOR_LAYERS || wishes->layers > 0);
+           (unsigned)wishes->alpha < TR_ALPHA_COUNT && (wishes->interior != TR_INTERIOR_LAYERS || wishes->layers > 0);
 }
 
 static int tr_i_counts_are_valid(const tr_scene *counts) {
@@ -1955,6 +2396,18 @@ static int tr_i_positive(float x) {
     uint32_t bits;
     memcpy(&bits, &x, sizeof bits);
     return bits - 1u < 0x7f800000u;
+}
+
+/* By its bits: comparisons with NaN are what -ffast-math takes away. */
+static int tr_i_all_finite(const float *numbers, int count) {
+    int i;
+    for (i = 0; i < count; ++i) {
+        uint32_t bits;
+        memcpy(&bits, &numbers[i], sizeof bits);
+        if ((bits & 0x7f800000u) == 0x7f800000u)
+            return 0;
+    }
+    return 1;
 }
 
 TR_I_API float tr_view_alpha(float d, float d_max, float k) {
@@ -2076,6 +2529,12 @@ static void tr_i_save_blend(const tr_context *tr, tr_i_snapshot *saved) {
     }
 }
 
+/* Whether frames of this one's wishes bind an array of edges, to the unit after those that they all bind. */
+static int tr_i_reads_edges(const tr_context *tr, int index) {
+    tr_alpha alpha = tr->frame.wishes.alpha;
+    return alpha == TR_ALPHA_CANDIDATES || (alpha >= TR_ALPHA_EXACT && index == TR_I_EDGE_SEGMENTS);
+}
+
 static void tr_i_save_bindings(const tr_context *tr, tr_i_snapshot *saved) {
     const tr_i_gl *gl = &tr->gl;
     tr_i_u binding = (tr_i_u)tr->desc.uniform_binding;
@@ -2097,6 +2556,11 @@ static void tr_i_save_bindings(const tr_context *tr, tr_i_snapshot *saved) {
                                                               : TR_I_GL_TEXTURE_BINDING_2D_ARRAY,
                         &saved->textures[i]);
         gl->GetIntegerv(TR_I_GL_SAMPLER_BINDING, &saved->samplers[i]);
+    }
+    for (i = 0; i < TR_I_EDGE_TEXTURE_COUNT && tr_i_reads_edges(tr, i); ++i) {
+        gl->ActiveTexture(TR_I_GL_TEXTURE0 + (tr_i_u)(tr->desc.first_texture_unit + TR_TEXTURE_UNITS + i));
+        gl->GetIntegerv(TR_I_GL_TEXTURE_BINDING_2D, &saved->edge_textures[i]);
+        gl->GetIntegerv(TR_I_GL_SAMPLER_BINDING, &saved->edge_samplers[i]);
     }
     gl->ActiveTexture((tr_i_u)saved->active_texture);
 }
@@ -2186,6 +2650,12 @@ static void tr_i_restore_bindings(const tr_context *tr, const tr_i_snapshot *sav
         gl->BindTexture(tr_i_targets[i], (tr_i_u)saved->textures[i]);
         gl->BindSampler(unit, (tr_i_u)saved->samplers[i]);
     }
+    for (i = 0; i < TR_I_EDGE_TEXTURE_COUNT && tr_i_reads_edges(tr, i); ++i) {
+        tr_i_u unit = (tr_i_u)(tr->desc.first_texture_unit + TR_TEXTURE_UNITS + i);
+        gl->ActiveTexture(TR_I_GL_TEXTURE0 + unit);
+        gl->BindTexture(TR_I_GL_TEXTURE_2D, (tr_i_u)saved->edge_textures[i]);
+        gl->BindSampler(unit, (tr_i_u)saved->edge_samplers[i]);
+    }
     gl->ActiveTexture((tr_i_u)saved->active_texture);
 }
 
@@ -2229,6 +2699,14 @@ static void tr_i_bind_textures(const tr_context *tr, const tr_state *state) {
         /* Units that are not read are unbound as well: they may hold a texture that this pass draws into. */
         tr->gl.ActiveTexture(TR_I_GL_TEXTURE0 + unit);
         tr->gl.BindTexture(state->texture_targets[i], state->textures[i]);
+        tr->gl.BindSampler(unit, 0);
+    }
+    for (i = 0; i < TR_I_EDGE_TEXTURE_COUNT; ++i) {
+        tr_i_u unit = (tr_i_u)(state->first_texture_unit + TR_TEXTURE_UNITS + i);
+        if (!state->edge_textures[i])
+            continue;
+        tr->gl.ActiveTexture(TR_I_GL_TEXTURE0 + unit);
+        tr->gl.BindTexture(TR_I_GL_TEXTURE_2D, state->edge_textures[i]);
         tr->gl.BindSampler(unit, 0);
     }
 }
@@ -2333,6 +2811,10 @@ static int tr_i_wants_color(int rule) {
            rule == TR_RULE_LAYER_MARKED || rule == TR_RULE_LAYER_GROUP || rule >= TR_RULE_OPAQUE;
 }
 
+static int tr_i_wants_alpha(int rule) {
+    return tr_i_wants_color(rule) && rule < TR_RULE_OPAQUE;
+}
+
 static void tr_i_add_rule(tr_i_source *source, int rule) {
     static const char *const rules[TR_RULE_COUNT] = {
         "#define TR_RULE 0\n",  "#define TR_RULE 1\n",  "#define TR_RULE 2\n",  "#define TR_RULE 3\n",
@@ -2341,6 +2823,7 @@ static void tr_i_add_rule(tr_i_source *source, int rule) {
         "#define TR_RULE 12\n", "#define TR_RULE 13\n", "#define TR_RULE 14\n"};
     tr_i_add(source, rules[rule]);
     tr_i_add(source, tr_i_wants_color(rule) ? "#define TR_WANTS_COLOR 1\n" : "#define TR_WANTS_COLOR 0\n");
+    tr_i_add(source, tr_i_wants_alpha(rule) ? "#define TR_WANTS_ALPHA 1\n" : "#define TR_WANTS_ALPHA 0\n");
     tr_i_add(source, rule == TR_RULE_PEEL_GROUP || rule == TR_RULE_LIMIT_MARKED || rule == TR_RULE_LIMIT_MARKED_SHEET
                          ? "#define TR_CHAIN 1\n"
                          : "#define TR_CHAIN 0\n");
@@ -2426,18 +2909,44 @@ static void tr_i_variant_source(tr_i_source *source, tr_stage stage, uint32_t ke
     tr_i_add_chunks(source, tr_i_shader_compose_frag);
 }
 
+static void tr_i_outline_source(tr_i_source *source, tr_stage stage, int variant) {
+    tr_i_add(source, variant & 1 ? "#define TR_JUMP 1\n" : "#define TR_JUMP 0\n");
+    tr_i_add(source, variant & 2 ? "#define TR_HAS_IDS 1\n" : "#define TR_HAS_IDS 0\n");
+    tr_i_add_chunks(source, stage == TR_VERTEX ? tr_i_shader_fullscreen_vert : tr_i_shader_outline_frag);
+}
+
+/* After the strings of tr_i_host_source, which hold the law itself for the vertex stage. */
+static void tr_i_alpha_source(tr_i_source *source, tr_stage stage, int alpha) {
+    static const char *const rungs[TR_ALPHA_COUNT] = {"#define TR_ALPHA 0\n", "#define TR_ALPHA 1\n",
+                                                      "#define TR_ALPHA 2\n", "#define TR_ALPHA 3\n",
+                                                      "#define TR_ALPHA 4\n"};
+    tr_i_add(source, rungs[alpha]);
+    if (stage == TR_VERTEX) {
+        tr_i_add_chunks(source, tr_i_shader_alpha_vertex_glsl);
+    } else {
+        tr_i_add_chunks(source, tr_i_shader_alpha_law_glsl);
+        tr_i_add_chunks(source, tr_i_shader_alpha_fragment_glsl);
+    }
+}
+
 /* The whole text of one stage of a built-in program; key: of a variant. */
 static void tr_i_program_source(tr_i_source *source, int program, uint32_t key, tr_stage stage, int es,
                                 int reversed_z) {
-    if (program < TR_I_PROGRAM_COPY_DEPTH) {
-        tr_i_host_source(source, stage, program, es, reversed_z);
+    if (program < TR_I_PROGRAM_COPY_DEPTH || (program >= TR_I_PROGRAM_ALPHA && program < TR_I_PROGRAM_OUTLINE)) {
+        int further = program >= TR_I_PROGRAM_ALPHA ? program - TR_I_PROGRAM_ALPHA + (int)TR_RULE_COUNT : program;
+        int rule = further % (int)TR_RULE_COUNT, alpha = further / (int)TR_RULE_COUNT;
+        tr_i_host_source(source, stage, rule, es, reversed_z);
+        if (tr_i_wants_alpha(rule))
+            tr_i_alpha_source(source, stage, alpha);
         tr_i_add_chunks(source, stage == TR_VERTEX ? tr_i_shader_surface_vert : tr_i_shader_surface_frag);
         return;
     }
     source->count = 0;
     source->used = 0;
     tr_i_add_preamble(source, es, reversed_z);
-    if (program >= TR_I_PROGRAM_VARIANT)
+    if (program >= TR_I_PROGRAM_OUTLINE)
+        tr_i_outline_source(source, stage, program - TR_I_PROGRAM_OUTLINE);
+    else if (program >= TR_I_PROGRAM_VARIANT)
         tr_i_variant_source(source, stage, key);
     else
         tr_i_add_chunks(source, stage == TR_VERTEX ? tr_i_shader_fullscreen_vert : tr_i_shader_copy_depth_frag);
@@ -2495,6 +3004,9 @@ static void tr_i_wire_program(tr_context *tr, tr_i_u program) {
     static const char *const samplers[TR_TEXTURE_UNITS] = {"tr_front_depth", "tr_odd_depth",    "tr_front_owner",
                                                            "tr_scene_depth", "tr_opaque_color", "tr_layer_color",
                                                            "tr_front_mark",  "tr_crossings"};
+    /* No program has two names for one unit. */
+    static const char *const others[] = {"tr_edge_segments", "tr_edge_lists", "tr_outlines", "tr_ids", "tr_nearest"};
+    static const int units[] = {TR_TEXTURE_UNITS, TR_TEXTURE_UNITS + 1, TR_TEXTURE_UNITS, TR_I_OPAQUE_COLOR, TR_I_MARK};
     tr_i_u block = tr->gl.GetUniformBlockIndex(program, "tr_frame");
     int i;
     tr->gl.UseProgram(program);
@@ -2502,6 +3014,11 @@ static void tr_i_wire_program(tr_context *tr, tr_i_u program) {
         int32_t location = tr->gl.GetUniformLocation(program, samplers[i]);
         if (location >= 0)
             tr->gl.Uniform1i(location, tr->desc.first_texture_unit + i);
+    }
+    for (i = 0; i < 5; ++i) {
+        int32_t location = tr->gl.GetUniformLocation(program, others[i]);
+        if (location >= 0)
+            tr->gl.Uniform1i(location, tr->desc.first_texture_unit + units[i]);
     }
     if (block != TR_I_GL_INVALID_INDEX)
         tr->gl.UniformBlockBinding(program, block, (tr_i_u)tr->desc.uniform_binding);
@@ -2522,6 +3039,12 @@ static tr_result tr_i_make_program(tr_context *tr, int index) {
     program->object = tr->gl.GetUniformLocation(program->name, "tr_object");
     program->model = tr->gl.GetUniformLocation(program->name, "tr_model");
     program->crossing_range = tr->gl.GetUniformLocation(program->name, "tr_crossing_range");
+    program->edge_frame = tr->gl.GetUniformLocation(program->name, "tr_edge_frame");
+    program->edge_ranges = tr->gl.GetUniformLocation(program->name, "tr_edge_ranges");
+    program->outline = tr->gl.GetUniformLocation(program->name, "tr_outline");
+    program->jump = tr->gl.GetUniformLocation(program->name, "tr_jump");
+    program->depth_law = tr->gl.GetUniformLocation(program->name, "tr_depth_law");
+    program->pixel = tr->gl.GetUniformLocation(program->name, "tr_pixel");
     return TR_OK;
 }
 
@@ -2530,6 +3053,13 @@ TR_I_API const char *const *tr_glsl(const tr_context *tr, tr_stage stage, tr_rul
         return 0;
     *count = tr->string_count[stage][rule];
     return tr->strings[stage][rule];
+}
+
+TR_I_API const char *const *tr_alpha_glsl(const tr_context *tr, tr_stage stage, tr_alpha alpha, int *count) {
+    if (!tr || (unsigned)stage >= (unsigned)TR_STAGE_COUNT || (unsigned)alpha >= (unsigned)TR_ALPHA_COUNT || !count)
+        return 0;
+    *count = tr->alpha_string_count[stage][alpha];
+    return tr->alpha_strings[stage][alpha];
 }
 
 TR_I_API tr_result tr_prepare_program(tr_context *tr, uint32_t program) {
@@ -2545,6 +3075,10 @@ TR_I_API tr_result tr_prepare_program(tr_context *tr, uint32_t program) {
         tr->gl.UseProgram((tr_i_u)current);
     return TR_OK;
 }
+
+/* Texels of a row of the two arrays: what any context has, and what the shaders divide by. */
+#define TR_I_EDGE_ROW 1024u
+#define TR_I_NO_LIST 0xffffffffu
 
 /* ---- creation --------------------------------------------------------------------------------------------------- */
 
@@ -2677,11 +3211,27 @@ static tr_result tr_i_check_bindings(tr_context *tr) {
         tr->desc.first_texture_unit = 8;
     if (tr->desc.uniform_binding == 0)
         tr->desc.uniform_binding = 15;
-    if (tr->desc.first_texture_unit < 0 || tr->desc.first_texture_unit > units - TR_TEXTURE_UNITS)
+    if (tr->desc.first_texture_unit < 0 ||
+        tr->desc.first_texture_unit > units - TR_TEXTURE_UNITS - TR_I_EDGE_TEXTURE_COUNT)
         return tr_i_fail(&tr->desc, TR_INVALID_ARGUMENT, "desc.first_texture_unit");
     if (tr->desc.uniform_binding < 0 || tr->desc.uniform_binding >= bindings)
         return tr_i_fail(&tr->desc, TR_INVALID_ARGUMENT, "desc.uniform_binding");
     return TR_OK;
+}
+
+static void tr_i_assemble_alpha_sources(tr_context *tr) {
+    tr_i_source source;
+    int stage, alpha;
+    for (stage = 0; stage < (int)TR_STAGE_COUNT; ++stage) {
+        for (alpha = 0; alpha < (int)TR_ALPHA_COUNT; ++alpha) {
+            source.count = 0;
+            source.used = 0;
+            tr_i_alpha_source(&source, (tr_stage)stage, alpha);
+            memcpy(tr->alpha_strings[stage][alpha], source.strings, (size_t)source.count * sizeof source.strings[0]);
+            tr->alpha_strings[stage][alpha][source.count] = "#line 1\n";
+            tr->alpha_string_count[stage][alpha] = source.count + 1;
+        }
+    }
 }
 
 static void tr_i_assemble_host_sources(tr_context *tr) {
@@ -2734,6 +3284,7 @@ TR_I_API tr_context *tr_create(const tr_desc *desc, tr_result *result) {
         return 0;
     }
     tr_i_assemble_host_sources(tr);
+    tr_i_assemble_alpha_sources(tr);
     return tr;
 }
 
@@ -2748,12 +3299,29 @@ static void tr_i_drop_textures(tr_context *tr) {
     tr->width = tr->height = 0;
 }
 
+static void tr_i_drop_outlines(tr_context *tr) {
+    tr->gl.DeleteFramebuffers(2, tr->outline_fbos);
+    tr->gl.DeleteTextures(2, tr->outline_textures);
+    memset(tr->outline_fbos, 0, sizeof tr->outline_fbos);
+    memset(tr->outline_textures, 0, sizeof tr->outline_textures);
+    tr->outline_width = tr->outline_height = 0;
+    tr->outline_pixel = 0;
+}
+
+static void tr_i_drop_edges(tr_context *tr) {
+    tr->gl.DeleteTextures(TR_I_EDGE_TEXTURE_COUNT, tr->edge_textures);
+    memset(tr->edge_textures, 0, sizeof tr->edge_textures);
+    memset(tr->edge_rows, 0, sizeof tr->edge_rows);
+}
+
 TR_I_API tr_result tr_release(tr_context *tr) {
     if (!tr)
         return TR_INVALID_ARGUMENT;
     if (tr->in_frame)
         return tr_i_fail(&tr->desc, TR_WRONG_ORDER, "tr_release");
     tr_i_drop_textures(tr);
+    tr_i_drop_edges(tr);
+    tr_i_drop_outlines(tr);
     return TR_OK;
 }
 
@@ -2763,6 +3331,8 @@ TR_I_API void tr_destroy(tr_context *tr) {
         return;
     tr_i_drop_textures(tr);
     tr->gl.DeleteTextures(1, &tr->textures[TR_I_CROSSINGS]);
+    tr_i_drop_edges(tr);
+    tr_i_drop_outlines(tr);
     for (i = 0; i < TR_I_PROGRAM_COUNT; ++i)
         if (tr->programs[i].name)
             tr->gl.DeleteProgram(tr->programs[i].name);
@@ -2787,19 +3357,10 @@ TR_I_API tr_info tr_get_info(const tr_context *tr) {
     for (i = 0; i < TR_I_TEXTURE_COUNT; ++i)
         if (tr->textures[i] && i != TR_I_CROSSINGS)
             info.bytes += (uint64_t)tr->width * (uint64_t)tr->height * (uint64_t)tr->slices[i] * tr_i_texel_bytes(i);
+    info.bytes += (uint64_t)tr->outline_width * (uint64_t)tr->outline_height * 8u;
+    info.bytes += (uint64_t)tr->edge_rows[TR_I_EDGE_SEGMENTS] * TR_I_EDGE_ROW * 16u;
+    info.bytes += (uint64_t)tr->edge_rows[TR_I_EDGE_LISTS] * TR_I_EDGE_ROW * 4u;
     return info;
-}
-
-/* By its bits: comparisons with NaN are what -ffast-math takes away. */
-static int tr_i_all_finite(const float *numbers, int count) {
-    int i;
-    for (i = 0; i < count; ++i) {
-        uint32_t bits;
-        memcpy(&bits, &numbers[i], sizeof bits);
-        if ((bits & 0x7f800000u) == 0x7f800000u)
-            return 0;
-    }
-    return 1;
 }
 
 /* ---- where surfaces cross --------------------------------------------------------------------------------------- */
@@ -3204,6 +3765,345 @@ static tr_result tr_i_make_textures(tr_context *tr) {
     return TR_OK;
 }
 
+/* ---- edges for alpha -------------------------------------------------------------------------------------------- */
+
+/* Two textures serve as arrays, in rows of 1024 texels, for ES 3.0 has no buffer textures: RGBA32F for segments (two texels
+   each) and the boxes around them (two each), R32UI for lists. Of one object the segments come first, then the boxes,
+   each before its children; in the lists the offsets of its triangles, then their candidates. */
+
+/* What an array is written through: consecutive texels from `at` on, gathered on the way. */
+#define TR_I_GATHERED 1024u
+typedef struct tr_i_writer {
+    const tr_context *tr;
+    size_t at, count;
+    float texels[TR_I_GATHERED][4];
+} tr_i_writer;
+
+static void tr_i_upload_texels(const tr_context *tr, int index, size_t at, size_t count, const void *data) {
+    const char *from = (const char *)data;
+    size_t texel = index == TR_I_EDGE_SEGMENTS ? 16 : 4;
+    tr_i_u format = index == TR_I_EDGE_SEGMENTS ? TR_I_GL_RGBA : TR_I_GL_RED_INTEGER;
+    tr_i_u type = index == TR_I_EDGE_SEGMENTS ? TR_I_GL_FLOAT : TR_I_GL_UNSIGNED_INT;
+    while (count > 0) { /* to the end of the row, whole rows, the rest */
+        size_t x = at % TR_I_EDGE_ROW, wide = TR_I_EDGE_ROW - x, rows = 1;
+        if (x == 0 && count > wide)
+            rows = count / wide;
+        else if (wide > count)
+            wide = count;
+        tr->gl.TexSubImage2D(TR_I_GL_TEXTURE_2D, 0, (int32_t)x, (int32_t)(at / TR_I_EDGE_ROW), (int32_t)wide,
+                             (int32_t)rows, format, type, from);
+        at += wide * rows;
+        from += wide * rows * texel;
+        count -= wide * rows;
+    }
+}
+
+static void tr_i_flush(tr_i_writer *writer) {
+    tr_i_upload_texels(writer->tr, TR_I_EDGE_SEGMENTS, writer->at, writer->count, writer->texels);
+    writer->at += writer->count;
+    writer->count = 0;
+}
+
+static void tr_i_write(tr_i_writer *writer, const double xyz[3], double w) {
+    float *texel = writer->texels[writer->count++];
+    int i;
+    for (i = 0; i < 3; ++i)
+        texel[i] = (float)xyz[i];
+    texel[3] = (float)w;
+    if (writer->count == TR_I_GATHERED)
+        tr_i_flush(writer);
+}
+
+/* The edge at a place: an index into `positions`, and that point. */
+static const uint32_t *tr_i_edge_index(const tr_edges *edges, size_t place, int end) {
+    size_t stride = edges->end_stride ? edges->end_stride : 2 * sizeof(uint32_t);
+    size_t edge = edges->order ? edges->order[place] : place;
+    return (const uint32_t *)(const void *)((const char *)edges->ends + edge * stride) + end;
+}
+
+static const float *tr_i_edge_end(const tr_edges *edges, size_t place, int end) {
+    size_t stride = edges->position_stride ? edges->position_stride : 3 * sizeof(float);
+    size_t point = *tr_i_edge_index(edges, place, end);
+    return (const float *)(const void *)((const char *)edges->positions + point * stride);
+}
+
+/* Object space to a frame about the middle of the edges and of their size, so that neither an offset nor a unit costs
+   precision or range: frame[0..8] the matrix by columns, then the middle and the unit. */
+typedef struct tr_i_edge_frame {
+    double matrix[9], middle[3], unit;
+} tr_i_edge_frame;
+
+static void tr_i_to_edge_frame(const tr_i_edge_frame *frame, const float p[3], double out[3]) {
+    double d[3];
+    int i;
+    for (i = 0; i < 3; ++i)
+        d[i] = (double)p[i] - frame->middle[i];
+    for (i = 0; i < 3; ++i)
+        out[i] = frame->matrix[i] * d[0] + frame->matrix[3 + i] * d[1] + frame->matrix[6 + i] * d[2];
+}
+
+static void tr_i_make_edge_frame(const tr_edges *edges, tr_i_edge_frame *frame) {
+    double low[3] = {1e300, 1e300, 1e300}, high[3] = {-1e300, -1e300, -1e300}, size = 0;
+    size_t edge;
+    int zero = 1, end, i, k;
+    memset(frame, 0, sizeof *frame);
+    for (edge = 0; edge < edges->edge_count; ++edge)
+        for (end = 0; end < 2; ++end) {
+            const float *p = tr_i_edge_end(edges, edge, end);
+            for (k = 0; k < 3 && tr_i_all_finite(p, 3); ++k) {
+                low[k] = (double)p[k] < low[k] ? (double)p[k] : low[k];
+                high[k] = (double)p[k] > high[k] ? (double)p[k] : high[k];
+            }
+        }
+    for (i = 0; i < 9; ++i)
+        zero = zero && edges->model[i] == 0.0f;
+    for (i = 0; i < 9; ++i)
+        frame->matrix[i] = zero ? i % 4 == 0 : (double)edges->model[i];
+    for (i = 0; i < 3 && low[0] <= high[0]; ++i) {
+        double row = 0;
+        for (k = 0; k < 3; ++k)
+            row += fabs(frame->matrix[3 * k + i]) * (high[k] - low[k]);
+        size = row > size ? row : size;
+        frame->middle[i] = (double)(float)(0.5 * (low[i] + high[i])); /* as the shader has it */
+    }
+    (void)frexp(size, &k);
+    k = k > 100 ? 100 : k < -100 ? -100 : k;
+    frame->unit = size > 0 ? ldexp(1.0, k) : 1.0;
+    for (i = 0; i < 9; ++i)
+        frame->matrix[i] /= frame->unit;
+}
+
+/* Both ends; an edge that has none is put where it is nobody's nearest. */
+static void tr_i_edge_ends(const tr_edges *edges, const tr_i_edge_frame *frame, size_t place, double p[3],
+                           double q[3]) {
+    const float *a = tr_i_edge_end(edges, place, 0), *b = tr_i_edge_end(edges, place, 1);
+    if (tr_i_all_finite(a, 3) && tr_i_all_finite(b, 3)) {
+        tr_i_to_edge_frame(frame, a, p);
+        tr_i_to_edge_frame(frame, b, q);
+        return;
+    }
+    p[0] = p[1] = p[2] = q[0] = q[1] = q[2] = 1e18;
+}
+
+static void tr_i_write_segments(tr_i_writer *writer, const tr_edges *edges, const tr_i_edge_frame *frame) {
+    double p[3], q[3], square;
+    size_t i;
+    int k;
+    for (i = 0; i < edges->edge_count; ++i) {
+        tr_i_edge_ends(edges, frame, i, p, q);
+        for (k = 0, square = 0; k < 3; ++k) {
+            q[k] -= p[k];
+            square += q[k] * q[k];
+        }
+        tr_i_write(writer, p, square > 1e-30 ? 1 / square : 0); /* shorter than 1e-15 of the whole: a point */
+        tr_i_write(writer, q, 0);
+    }
+}
+
+/* Boxes over `count` segments in a row: eight a leaf, and eight of a kind in a box of the next. */
+static size_t tr_i_box_span(size_t count) {
+    size_t span = 8;
+    while (span < count)
+        span *= 8;
+    return span / 8; /* segments of a child */
+}
+
+static size_t tr_i_box_count(size_t count) {
+    size_t span = tr_i_box_span(count), rest;
+    if (count <= 8)
+        return count > 0;
+    rest = count % span;
+    return 1 + count / span * tr_i_box_count(span) + tr_i_box_count(rest);
+}
+
+/* The box of segments first .. first + count - 1, then all in it. `box` is its number. */
+static void tr_i_write_boxes(tr_i_writer *writer, const tr_edges *edges, const tr_i_edge_frame *frame, size_t first,
+                             size_t count, size_t box) {
+    double low[3] = {1e300, 1e300, 1e300}, high[3] = {-1e300, -1e300, -1e300}, ends[2][3];
+    size_t span = tr_i_box_span(count), i;
+    int k, end;
+    for (i = first; i < first + count; ++i) {
+        tr_i_edge_ends(edges, frame, i, ends[0], ends[1]);
+        for (end = 0; end < 2; ++end)
+            for (k = 0; k < 3; ++k) {
+                low[k] = ends[end][k] < low[k] ? ends[end][k] : low[k];
+                high[k] = ends[end][k] > high[k] ? ends[end][k] : high[k];
+            }
+    }
+    for (k = 0; k < 3; ++k) {
+        ends[0][k] = 0.5 * (low[k] + high[k]);
+        ends[1][k] = 0.5 * (high[k] - low[k]) * 1.000001 + 1e-6 * fabs(ends[0][k]); /* rounded to floats outward */
+    }
+    tr_i_write(writer, ends[0], (double)(box + tr_i_box_count(count)));
+    tr_i_write(writer, ends[1], count <= 8 ? (double)first : -1.0);
+    ++box;
+    for (i = 0; count > 8 && i < count; i += span) {
+        size_t child = count - i < span ? count - i : span;
+        tr_i_write_boxes(writer, edges, frame, first + i, child, box);
+        box += tr_i_box_count(child);
+    }
+}
+
+static const char *tr_i_check_edges(const tr_edges *edges) {
+    size_t i;
+    if ((edges->edge_count && (!edges->positions || !edges->ends)) || !edges->offsets != !edges->candidates ||
+        (edges->order && edges->offsets))
+        return "tr_edges: an array is missing, or there are both order and offsets";
+    if ((edges->position_stride && edges->position_stride < 3 * sizeof(float)) ||
+        (edges->end_stride && edges->end_stride < 2 * sizeof(uint32_t)) || edges->position_stride % sizeof(float) ||
+        edges->end_stride % sizeof(uint32_t))
+        return "tr_edges: a stride is too small, or no multiple of 4";
+    if (!tr_i_all_finite(edges->model, 9))
+        return "tr_edges.model is not finite";
+    for (i = 0; i < 2 * edges->edge_count; ++i)
+        if (*tr_i_edge_index(edges, i / 2, (int)(i % 2)) >= edges->position_count)
+            return "tr_edges.ends: a point past position_count";
+    for (i = 0; edges->offsets && i < edges->triangle_count; ++i)
+        if (edges->offsets[i] > edges->offsets[i + 1])
+            return "tr_edges.offsets fall";
+    for (i = edges->offsets ? edges->offsets[0] : 0; edges->offsets && i < edges->offsets[edges->triangle_count]; ++i)
+        if (edges->candidates[i] >= edges->edge_count)
+            return "tr_edges.candidates: an edge past edge_count";
+    return 0;
+}
+
+/* Texels that an object needs in each array. The hierarchy is for sets without lists. */
+static void tr_i_edge_texels(const tr_edges *edges, size_t texels[TR_I_EDGE_TEXTURE_COUNT]) {
+    texels[TR_I_EDGE_SEGMENTS] = 2 * (edges->edge_count + (edges->offsets ? 0 : tr_i_box_count(edges->edge_count)));
+    texels[TR_I_EDGE_LISTS] =
+        edges->offsets ? edges->triangle_count + 1 + (size_t)edges->offsets[edges->triangle_count] : 0;
+}
+
+/* An array of at least so many texels; a quarter more when it grows, given back when three quarters are not used. */
+static void tr_i_fit_array(tr_context *tr, int index, size_t texels) {
+    size_t rows = (texels + TR_I_EDGE_ROW - 1) / TR_I_EDGE_ROW, most = (size_t)tr->max_texture;
+    tr_i_u internal = index == TR_I_EDGE_SEGMENTS ? TR_I_GL_RGBA32F : TR_I_GL_R32UI;
+    tr_i_u format = index == TR_I_EDGE_SEGMENTS ? TR_I_GL_RGBA : TR_I_GL_RED_INTEGER;
+    tr_i_u type = index == TR_I_EDGE_SEGMENTS ? TR_I_GL_FLOAT : TR_I_GL_UNSIGNED_INT;
+    if (index == TR_I_EDGE_SEGMENTS && rows == 0)
+        rows = 1;
+    if (rows <= tr->edge_rows[index] && (rows + 1) * 4 >= tr->edge_rows[index] && rows > 0) {
+        tr->gl.BindTexture(TR_I_GL_TEXTURE_2D, tr->edge_textures[index]);
+        return;
+    }
+    if (tr->edge_textures[index])
+        tr->gl.DeleteTextures(1, &tr->edge_textures[index]);
+    tr->edge_textures[index] = 0;
+    tr->edge_rows[index] = 0;
+    if (rows == 0)
+        return;
+    rows = rows + rows / 4 < most ? rows + rows / 4 : most;
+    tr->gl.GenTextures(1, &tr->edge_textures[index]);
+    tr->gl.BindTexture(TR_I_GL_TEXTURE_2D, tr->edge_textures[index]);
+    tr->gl.TexImage2D(TR_I_GL_TEXTURE_2D, 0, (int32_t)internal, (int32_t)TR_I_EDGE_ROW, (int32_t)rows, 0, format, type,
+                      0);
+    tr->gl.TexParameteri(TR_I_GL_TEXTURE_2D, TR_I_GL_TEXTURE_MIN_FILTER, TR_I_GL_NEAREST);
+    tr->gl.TexParameteri(TR_I_GL_TEXTURE_2D, TR_I_GL_TEXTURE_MAG_FILTER, TR_I_GL_NEAREST);
+    tr->edge_rows[index] = rows;
+}
+
+static void tr_i_fill_edge_set(const tr_edges *edges, const tr_i_edge_frame *frame, const size_t at[2],
+                               tr_edge_set *set) {
+    int i;
+    memset(set, 0, sizeof *set);
+    for (i = 0; i < 9; ++i)
+        set->frame[i / 3 * 4 + i % 3] = (float)frame->matrix[i];
+    for (i = 0; i < 3; ++i)
+        set->frame[12 + i] = (float)frame->middle[i];
+    set->frame[15] = (float)frame->unit;
+    set->ranges[0] = (uint32_t)at[TR_I_EDGE_SEGMENTS];
+    set->ranges[1] = (uint32_t)edges->edge_count;
+    set->ranges[2] = edges->offsets ? (uint32_t)at[TR_I_EDGE_LISTS] : (uint32_t)tr_i_box_count(edges->edge_count);
+    set->ranges[3] = edges->offsets ? (uint32_t)(at[TR_I_EDGE_LISTS] + edges->triangle_count + 1) : TR_I_NO_LIST;
+}
+
+static void tr_i_upload_edges(tr_context *tr, const tr_edges *edges, size_t count, tr_edge_set *sets) {
+    size_t at[TR_I_EDGE_TEXTURE_COUNT] = {0, 0}, texels[TR_I_EDGE_TEXTURE_COUNT], i;
+    tr_i_writer writer;
+    tr->gl.BindTexture(TR_I_GL_TEXTURE_2D, tr->edge_textures[TR_I_EDGE_SEGMENTS]);
+    writer.tr = tr;
+    writer.at = writer.count = 0;
+    for (i = 0; i < count; ++i) {
+        tr_i_edge_frame frame;
+        tr_i_make_edge_frame(&edges[i], &frame);
+        tr_i_fill_edge_set(&edges[i], &frame, at, &sets[i]);
+        tr_i_write_segments(&writer, &edges[i], &frame);
+        if (!edges[i].offsets && edges[i].edge_count)
+            tr_i_write_boxes(&writer, &edges[i], &frame, 0, edges[i].edge_count, 0);
+        tr_i_edge_texels(&edges[i], texels);
+        at[TR_I_EDGE_SEGMENTS] += texels[TR_I_EDGE_SEGMENTS];
+        at[TR_I_EDGE_LISTS] += texels[TR_I_EDGE_LISTS];
+    }
+    tr_i_flush(&writer);
+    if (tr->edge_textures[TR_I_EDGE_LISTS])
+        tr->gl.BindTexture(TR_I_GL_TEXTURE_2D, tr->edge_textures[TR_I_EDGE_LISTS]);
+    for (i = 0; i < count; ++i) {
+        size_t offsets = edges[i].triangle_count + 1;
+        if (!edges[i].offsets)
+            continue;
+        tr_i_upload_texels(tr, TR_I_EDGE_LISTS, sets[i].ranges[2], offsets, edges[i].offsets);
+        tr_i_upload_texels(tr, TR_I_EDGE_LISTS, sets[i].ranges[3], edges[i].offsets[offsets - 1], edges[i].candidates);
+    }
+}
+
+/* What uploads depend on, set as in a fresh context and put back. */
+static const tr_i_u tr_i_unpack_names[] = {TR_I_GL_UNPACK_ROW_LENGTH, TR_I_GL_UNPACK_SKIP_ROWS,
+                                           TR_I_GL_UNPACK_SKIP_PIXELS, TR_I_GL_UNPACK_ALIGNMENT,
+                                           TR_I_GL_UNPACK_SWAP_BYTES};
+#define TR_I_UNPACK_COUNT 5
+
+static tr_result tr_i_place_edges(tr_context *tr, const tr_edges *edges, size_t count, tr_edge_set *sets,
+                                  const size_t texels[TR_I_EDGE_TEXTURE_COUNT]) {
+    int32_t unit = 0, texture = 0, buffer = 0, unpack[TR_I_UNPACK_COUNT] = {0, 0, 0, 0, 0};
+    int names = tr->es ? TR_I_UNPACK_COUNT - 1 : TR_I_UNPACK_COUNT, i;
+    for (i = 0; i < names; ++i) {
+        tr->gl.GetIntegerv(tr_i_unpack_names[i], &unpack[i]);
+        tr->gl.PixelStorei(tr_i_unpack_names[i], tr_i_unpack_names[i] == TR_I_GL_UNPACK_ALIGNMENT ? 4 : 0);
+    }
+    tr->gl.GetIntegerv(TR_I_GL_PIXEL_UNPACK_BUFFER_BINDING, &buffer);
+    tr->gl.BindBuffer(TR_I_GL_PIXEL_UNPACK_BUFFER, 0);
+    tr->gl.GetIntegerv(TR_I_GL_ACTIVE_TEXTURE, &unit);
+    tr->gl.ActiveTexture(TR_I_GL_TEXTURE0 + (tr_i_u)tr->desc.first_texture_unit);
+    tr->gl.GetIntegerv(TR_I_GL_TEXTURE_BINDING_2D, &texture);
+    for (i = 0; i < TR_I_EDGE_TEXTURE_COUNT; ++i)
+        tr_i_fit_array(tr, i, texels[i]);
+    tr_i_upload_edges(tr, edges, count, sets);
+    tr->gl.BindTexture(TR_I_GL_TEXTURE_2D, (tr_i_u)texture);
+    tr->gl.ActiveTexture((tr_i_u)unit);
+    tr->gl.BindBuffer(TR_I_GL_PIXEL_UNPACK_BUFFER, (tr_i_u)buffer);
+    for (i = 0; i < names; ++i)
+        tr->gl.PixelStorei(tr_i_unpack_names[i], unpack[i]);
+    return TR_OK;
+}
+
+TR_I_API tr_result tr_set_edges(tr_context *tr, const tr_edges *edges, size_t count, tr_edge_set *sets) {
+    size_t total[TR_I_EDGE_TEXTURE_COUNT] = {0, 0}, i;
+    if (!tr || (count && (!edges || !sets)))
+        return TR_INVALID_ARGUMENT;
+    if (tr->in_frame)
+        return tr_i_fail(&tr->desc, TR_WRONG_ORDER, "tr_set_edges");
+    for (i = 0; i < count; ++i) {
+        size_t texels[TR_I_EDGE_TEXTURE_COUNT], most = (size_t)tr->max_texture * TR_I_EDGE_ROW, k;
+        const char *wrong = tr_i_check_edges(&edges[i]);
+        if (wrong)
+            return tr_i_fail(&tr->desc, TR_INVALID_ARGUMENT, wrong);
+        if (edges[i].edge_count > most) /* before anything can overflow */
+            return tr_i_fail(&tr->desc, TR_TOO_LARGE, "tr_set_edges: edges");
+        tr_i_edge_texels(&edges[i], texels);
+        for (k = 0; k < TR_I_EDGE_TEXTURE_COUNT; ++k) {
+            total[k] += texels[k];
+            if (texels[k] > most || total[k] > most)
+                return tr_i_fail(&tr->desc, TR_TOO_LARGE,
+                                 k == TR_I_EDGE_SEGMENTS ? "tr_set_edges: edges" : "tr_set_edges: candidates");
+        }
+    }
+    if (count == 0) {
+        tr_i_drop_edges(tr);
+        return TR_OK;
+    }
+    return tr_i_place_edges(tr, edges, count, sets, total);
+}
+
 /* ---- the sequence ----------------------------------------------------------------------------------------------- */
 
 static void tr_i_line_variant(const tr_context *tr, const tr_plan_pass *pass, tr_i_variant *v) {
@@ -3243,14 +4143,19 @@ static uint32_t tr_i_pass_key(const tr_context *tr, const tr_plan_pass *pass) {
 }
 
 /* -1: a variant that is not made yet. */
+static int tr_i_surface_program(const tr_context *tr, int rule) {
+    int alpha = tr_i_wants_alpha(rule) ? (int)tr->frame.wishes.alpha : 0;
+    return alpha == 0 ? rule : TR_I_PROGRAM_ALPHA + (alpha - 1) * (int)TR_RULE_COUNT + rule;
+}
+
 static int tr_i_program_of(const tr_context *tr, const tr_plan_pass *pass) {
     uint32_t key = tr_i_pass_key(tr, pass);
     int i;
     if (pass->kind == TR_PASS_COPY_DEPTH)
         return TR_I_PROGRAM_COPY_DEPTH;
     if (!key)
-        return (int)pass->rule;
-    for (i = TR_I_PROGRAM_VARIANT; i < TR_I_PROGRAM_COUNT; ++i)
+        return tr_i_surface_program(tr, (int)pass->rule);
+    for (i = TR_I_PROGRAM_VARIANT; i < TR_I_PROGRAM_ALPHA; ++i)
         if (tr->programs[i].name && tr->programs[i].key == key)
             return i;
     return -1;
@@ -3451,6 +4356,11 @@ TR_I_API tr_result tr_begin(tr_context *tr, const tr_frame *frame) {
     result = tr_plan_make(&frame->scene, &frame->wishes, &tr->plan);
     if (result != TR_OK)
         return tr_i_fail(&tr->desc, result, "frame.wishes, or an id or group in frame.scene");
+    if (frame->wishes.alpha == TR_ALPHA_IMAGE && tr->outline_pixel == 0.0f)
+        return tr_i_fail(&tr->desc, TR_INVALID_ARGUMENT, "frame.wishes.alpha: tr_find_outlines comes first");
+    if ((frame->wishes.alpha == TR_ALPHA_CANDIDATES || frame->wishes.alpha == TR_ALPHA_EXACT) &&
+        !tr->edge_textures[TR_I_EDGE_SEGMENTS])
+        return tr_i_fail(&tr->desc, TR_INVALID_ARGUMENT, "frame.wishes.alpha: tr_set_edges gives the edges first");
     if (frame->width == 0 || frame->height == 0)
         memset(&tr->plan, 0, sizeof tr->plan);
     tr->frame = *frame;
@@ -3556,7 +4466,7 @@ static void tr_i_fill_textures(const tr_context *tr, const tr_plan_pass *pass, t
 }
 
 static void tr_i_fill_bindings(const tr_context *tr, const tr_plan_pass *pass, tr_state *state) {
-    int fbo = tr_i_fbo_of(pass), own = fbo >= 0;
+    int fbo = tr_i_fbo_of(pass), own = fbo >= 0, i;
     state->framebuffer = own ? tr->fbos[fbo] : tr->frame.framebuffer;
     state->viewport[0] = own ? 0 : tr->frame.x;
     state->viewport[1] = own ? 0 : tr->frame.y;
@@ -3565,6 +4475,11 @@ static void tr_i_fill_bindings(const tr_context *tr, const tr_plan_pass *pass, t
     state->program = tr->programs[tr_i_program_of(tr, pass)].name;
     state->first_texture_unit = tr->desc.first_texture_unit;
     tr_i_fill_textures(tr, pass, state);
+    for (i = 0; i < TR_I_EDGE_TEXTURE_COUNT; ++i)
+        if (!pass->lines && pass->kind != TR_PASS_COMPOSE && tr_i_wants_alpha((int)pass->rule) &&
+            tr_i_reads_edges(tr, i))
+            state->edge_textures[i] =
+                tr->frame.wishes.alpha == TR_ALPHA_IMAGE ? tr->outline_textures[tr->outline_at] : tr->edge_textures[i];
     state->uniform_buffer = tr->uniform_buffer;
     state->uniform_binding = tr->desc.uniform_binding;
     state->uniform_offset = tr_i_step_of(pass, &tr->plan) * TR_I_STRIDE;
@@ -3673,13 +4588,31 @@ TR_I_API int tr_pass_draws(const tr_pass *pass, const tr_object *object) {
     return (int)((pass->classes >> flags) & 1u);
 }
 
+TR_I_API void tr_outline_uniform(const tr_context *tr, float uniform[3]) {
+    uniform[0] = tr->outline_pixel;
+    uniform[1] = tr->width > 0 ? (float)tr->outline_width / (float)tr->width : 0;
+    uniform[2] = tr->height > 0 ? (float)tr->outline_height / (float)tr->height : 0;
+}
+
+static void tr_i_set_edge_uniforms(const tr_context *tr, const tr_i_program *program, const tr_material *material) {
+    const tr_edge_set *set = material->edges;
+    tr_i_u first = material->first_triangle;
+    if (!set) {
+        tr->gl.Uniform4ui(program->edge_ranges, 0, 0, 0, TR_I_NO_LIST);
+        return;
+    }
+    first = tr->frame.wishes.alpha == TR_ALPHA_CANDIDATES && set->ranges[3] != TR_I_NO_LIST ? first : 0;
+    tr->gl.Uniform4ui(program->edge_ranges, set->ranges[0], set->ranges[1], set->ranges[2] + first, set->ranges[3]);
+    tr->gl.Uniform4fv(program->edge_frame, 4, set->frame);
+}
+
 TR_I_API void tr_set_material(tr_context *tr, const tr_pass *pass, const tr_material *material) {
     const tr_i_program *program;
     const tr_i_gl *gl;
     if (!tr || !pass || !material || (unsigned)pass->rule >= (unsigned)TR_RULE_COUNT || pass->lines)
         return;
     gl = &tr->gl;
-    program = &tr->programs[pass->rule];
+    program = &tr->programs[tr_i_surface_program(tr, (int)pass->rule)];
     gl->UniformMatrix4fv(program->model_view_projection, 1, 0, material->model_view_projection);
     if (program->normal_matrix >= 0)
         gl->UniformMatrix3fv(program->normal_matrix, 1, 0, material->normal_matrix);
@@ -3693,6 +4626,132 @@ TR_I_API void tr_set_material(tr_context *tr, const tr_pass *pass, const tr_mate
         gl->UniformMatrix4fv(program->model, 1, 0, material->model);
     if (program->crossing_range >= 0)
         gl->Uniform2i(program->crossing_range, material->crossing_first, material->crossing_count);
+    if (program->edge_ranges >= 0)
+        tr_i_set_edge_uniforms(tr, program, material);
+    if (program->outline >= 0) {
+        float outline[3];
+        tr_outline_uniform(tr, outline);
+        gl->Uniform3f(program->outline, outline[0], outline[1], outline[2]);
+    }
+}
+
+/* ---- outlines in an image ---------------------------------------------------------------------------------------- */
+
+static tr_result tr_i_fit_outlines(tr_context *tr, int width, int height) {
+    int i;
+    if (tr->outline_width == width && tr->outline_height == height)
+        return TR_OK;
+    tr_i_drop_outlines(tr);
+    tr->gl.ActiveTexture(TR_I_GL_TEXTURE0 + (tr_i_u)(tr->desc.first_texture_unit + TR_I_MARK));
+    tr->gl.BindBuffer(TR_I_GL_PIXEL_UNPACK_BUFFER, 0);
+    tr->gl.GenTextures(2, tr->outline_textures);
+    tr->gl.GenFramebuffers(2, tr->outline_fbos);
+    for (i = 0; i < 2; ++i) {
+        tr->gl.BindTexture(TR_I_GL_TEXTURE_2D, tr->outline_textures[i]);
+        tr->gl.TexImage2D(TR_I_GL_TEXTURE_2D, 0, (int32_t)TR_I_GL_RG16UI, width, height, 0, TR_I_GL_RG_INTEGER,
+                          TR_I_GL_UNSIGNED_SHORT, 0);
+        tr->gl.TexParameteri(TR_I_GL_TEXTURE_2D, TR_I_GL_TEXTURE_MIN_FILTER, TR_I_GL_NEAREST);
+        tr->gl.TexParameteri(TR_I_GL_TEXTURE_2D, TR_I_GL_TEXTURE_MAG_FILTER, TR_I_GL_NEAREST);
+        tr->gl.BindFramebuffer(TR_I_GL_DRAW_FRAMEBUFFER, tr->outline_fbos[i]);
+        tr->gl.FramebufferTexture2D(TR_I_GL_DRAW_FRAMEBUFFER, TR_I_GL_COLOR_ATTACHMENT0, TR_I_GL_TEXTURE_2D,
+                                    tr->outline_textures[i], 0);
+        if (tr->gl.CheckFramebufferStatus(TR_I_GL_DRAW_FRAMEBUFFER) != TR_I_GL_FRAMEBUFFER_COMPLETE) {
+            tr_i_drop_outlines(tr);
+            return tr_i_fail(&tr->desc, TR_TARGET_INCOMPLETE, "tr_find_outlines");
+        }
+    }
+    tr->outline_width = width;
+    tr->outline_height = height;
+    return TR_OK;
+}
+
+/* One draw over the whole image into outline texture `to`, reading the other one. */
+static void tr_i_outline_pass(tr_context *tr, const tr_outlines *image, int program, int to, int jump) {
+    const tr_i_program *made = &tr->programs[program];
+    double half = fabs(2.0 / ((double)image->projection[5] * (double)image->height));
+    float law[4];
+    tr_state state;
+    int i;
+    memset(&state, 0, sizeof state);
+    state.framebuffer = tr->outline_fbos[to];
+    state.viewport[2] = image->width;
+    state.viewport[3] = image->height;
+    state.program = made->name;
+    state.vertex_array = tr->vertex_array;
+    state.vertex_count = 3;
+    state.first_texture_unit = tr->desc.first_texture_unit;
+    for (i = 0; i < TR_TEXTURE_UNITS; ++i)
+        state.texture_targets[i] = tr_i_targets[i];
+    state.textures[TR_I_SCENE_DEPTH] = image->depth_texture;
+    state.textures[TR_I_OPAQUE_COLOR] = image->id_texture;
+    state.textures[TR_I_MARK] = tr->outline_textures[1 - to];
+    state.color_write = 1;
+    state.depth_func = TR_I_GL_ALWAYS;
+    state.blend_source = state.blend_source_alpha = TR_I_GL_ONE;
+    state.front_face = TR_I_GL_CCW;
+    tr_i_apply(tr, &state);
+    tr_i_eye_depth(image->projection, tr->desc.zero_to_one, law);
+    if (made->jump >= 0)
+        tr->gl.Uniform1i(made->jump, jump);
+    if (made->depth_law >= 0)
+        tr->gl.Uniform4fv(made->depth_law, 1, law);
+    if (made->pixel >= 0)
+        tr->gl.Uniform2f(made->pixel, (float)(half * (double)image->projection[15]),
+                         (float)(-half * (double)image->projection[11]));
+    tr_i_draw_triangle(tr, &state);
+}
+
+static tr_result tr_i_check_outlines(const tr_context *tr, const tr_outlines *image) {
+    if (image->depth_texture == 0)
+        return tr_i_fail(&tr->desc, TR_INVALID_ARGUMENT, "tr_outlines.depth_texture");
+    if (image->width < 1 || image->height < 1)
+        return tr_i_fail(&tr->desc, TR_INVALID_ARGUMENT, "tr_outlines.width or height");
+    if (image->width > tr->max_width || image->height > tr->max_height || image->width > 65535 || image->height > 65535)
+        return tr_i_fail(&tr->desc, TR_TOO_LARGE, "tr_outlines.width or height");
+    if (!tr_i_all_finite(image->projection, 16) || image->projection[5] == 0.0f ||
+        image->projection[10] * image->projection[15] == image->projection[11] * image->projection[14])
+        return tr_i_fail(&tr->desc, TR_INVALID_ARGUMENT, "tr_outlines.projection");
+    return TR_OK;
+}
+
+/* Jumps of half the image, a quarter and so on to 1, and 1 once more, which mends most of what the rest got wrong. */
+static void tr_i_flood(tr_context *tr, const tr_outlines *image, int program) {
+    int side = image->width > image->height ? image->width : image->height, jump = 1, again = 1;
+    while (2 * jump < side)
+        jump *= 2;
+    tr->outline_at = 0;
+    tr_i_outline_pass(tr, image, program, 0, 0);
+    for (; jump > 0; jump = jump > 1 ? jump / 2 : again--) {
+        tr->outline_at = 1 - tr->outline_at;
+        tr_i_outline_pass(tr, image, program + 1, tr->outline_at, jump);
+    }
+}
+
+TR_I_API tr_result tr_find_outlines(tr_context *tr, const tr_outlines *image) {
+    int program = TR_I_PROGRAM_OUTLINE + (image && image->id_texture ? 2 : 0);
+    tr_i_snapshot saved;
+    tr_result result;
+    if (!tr || !image)
+        return TR_INVALID_ARGUMENT;
+    if (tr->in_frame)
+        return tr_i_fail(&tr->desc, TR_WRONG_ORDER, "tr_find_outlines");
+    result = tr_i_check_outlines(tr, image);
+    if (result != TR_OK)
+        return result;
+    tr_i_save(tr, &saved);
+    if (!tr->vertex_array)
+        tr->gl.GenVertexArrays(1, &tr->vertex_array);
+    result = tr_i_fit_outlines(tr, image->width, image->height);
+    if (result == TR_OK)
+        result = tr_i_make_program(tr, program);
+    if (result == TR_OK)
+        result = tr_i_make_program(tr, program + 1);
+    if (result == TR_OK) {
+        tr_i_flood(tr, image, program);
+        tr->outline_pixel = (float)fabs(2.0 / ((double)image->projection[5] * (double)image->height));
+    }
+    tr_i_restore(tr, &saved);
+    return result;
 }
 
 TR_I_API tr_result tr_end(tr_context *tr) {

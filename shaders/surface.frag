@@ -22,6 +22,10 @@ void main()
 #if TR_STRENGTHENS
     color = tr_strengthen(color, tr_v_position, tr_crossing_range);
 #endif
+#if TR_WANTS_ALPHA
+    if (tr_may_show())
+        color.a *= tr_alpha();
+#endif
     tr_surface(color, tr_object);
 #else
     tr_surface(vec4(0.0), tr_object);

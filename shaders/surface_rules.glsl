@@ -127,6 +127,16 @@ bool tr_joins(highp float depth, highp uint object, ivec2 pixel)
 }
 #endif
 
+// Whether tr_surface may keep this fragment's colour: for shaders that have much to do before they call it.
+bool tr_may_show()
+{
+#if TR_RULE == TR_RULE_LAYER || TR_RULE == TR_RULE_LAYER_MARKED || TR_RULE == TR_RULE_LAYER_GROUP
+    return gl_FragCoord.z == texelFetch(tr_front_depth, ivec3(gl_FragCoord.xy, tr_step.x >> 1), 0).r;
+#else
+    return true;
+#endif
+}
+
 void tr_surface(highp vec4 color, highp uint object)
 {
 #if TR_RULE >= TR_RULE_OPAQUE

@@ -242,6 +242,7 @@ static inline tr_frame harness_frame(const harness *h, const ref_scene *scene, c
     frame.scene = tr_scene_count(objects, count, sizeof objects[0]);
     frame.wishes.blending = blendings[scene->blending];
     frame.wishes.interior = interiors[scene->interior];
+    frame.wishes.alpha = TR_ALPHA_PUBLISHED; /* the reference has alpha at vertices */
     frame.wishes.layers = (uint32_t)scene->layers;
     frame.wishes.options =
         (scene->use_blend_color ? TR_WISH_BLEND_COLOR : 0u) | (scene->srgb ? (uint32_t)TR_WISH_SRGB : 0u);

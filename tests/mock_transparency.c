@@ -156,6 +156,7 @@ FAKE(GetShaderInfoLog, (U a, I b, I *c, char *d), (void)a; (void)c; snprintf(d, 
 FAKE(GetProgramiv, (U a, U b, I *c), (void)a; (void)b; *c = driver.fail_compile != 2;)
 FAKE(GetShaderiv, (U a, U b, I *c), (void)a; (void)b; *c = driver.fail_compile != 1;)
 FAKE(LinkProgram, (U a), (void)a;)
+FAKE(PixelStorei, (U a, I b), (void)a; (void)b;)
 FAKE(PolygonMode, (U a, U b), (void)a; (void)b;)
 FAKE(PixelStorei, (U a, I b), (void)a; (void)b;)
 FAKE(ReadBuffer, (U a), (void)a;)
@@ -165,11 +166,15 @@ FAKE(TexImage2D, (U a, I b, I c, I d, I e, I f, U g, U h, const void *i), (void)
 FAKE(TexImage3D, (U a, I b, I c, I d, I e, I f, I g, U h, U i, const void *j), (void)a; (void)b; (void)c; (void)d;
      (void)e; (void)f; (void)g; (void)h; (void)i; (void)j;)
 FAKE(TexParameteri, (U a, U b, I c), (void)a; (void)b; (void)c;)
+FAKE(TexSubImage2D, (U a, I b, I c, I d, I e, I f, U g, U h, const void *i), (void)a; (void)b; (void)c; (void)d;
+     (void)e; (void)f; (void)g; (void)h; (void)i;)
 FAKE(Uniform1i, (I a, I b), (void)a; (void)b;)
 FAKE(Uniform1ui, (I a, U b), (void)a; (void)b;)
 FAKE(Uniform2i, (I a, I b, I c), (void)a; (void)b; (void)c;)
 FAKE(Uniform2f, (I a, float b, float c), (void)a; (void)b; (void)c;)
+FAKE(Uniform3f, (I a, float b, float c, float d), (void)a; (void)b; (void)c; (void)d;)
 FAKE(Uniform4fv, (I a, I b, const float *c), (void)a; (void)b; (void)c;)
+FAKE(Uniform4ui, (I a, U b, U c, U d, U e), (void)a; (void)b; (void)c; (void)d; (void)e;)
 FAKE(UniformBlockBinding, (U a, U b, U c), (void)a; (void)b; (void)c;)
 FAKE(UniformMatrix3fv, (I a, I b, B c, const float *d), (void)a; (void)b; (void)c; (void)d;)
 FAKE(UniformMatrix4fv, (I a, I b, B c, const float *d), (void)a; (void)b; (void)c; (void)d;)
@@ -987,11 +992,15 @@ static void test_bad_scenes_and_wishes(void **state) {
         {0xffffffu, TR_TRANSPARENT},         {0xffffffffu, TR_TRANSPARENT},
         {1, TR_TRANSPARENT | TR_GROUP(128)}, {1, TR_TRANSPARENT | TR_GROUP(300)},
         {1, TR_TRANSPARENT | 64u},           {1, TR_TRANSPARENT | TR_IMPLICIT | TR_EXPLICIT}};
-    static const tr_wishes bad_wishes[] = {
-        {TR_INTERIOR_LAYERS, TR_BLENDING_OVER, 0, 0, 0, 0},   {TR_INTERIOR_LAYERS, TR_BLENDING_OVER, 0, 9, 0, 0},
-        {TR_INTERIOR_IMPLICIT, TR_BLENDING_OVER, 0, 9, 0, 0}, {(tr_interior)5, TR_BLENDING_OVER, 0, 0, 0, 0},
-        {TR_INTERIOR_IMPLICIT, (tr_blending)3, 0, 0, 0, 0},   {TR_INTERIOR_IMPLICIT, TR_BLENDING_OVER, 16, 0, 0, 0},
-        {TR_INTERIOR_IMPLICIT, TR_BLENDING_OVER, 0, 0, 8, 0}, {TR_INTERIOR_IMPLICIT, TR_BLENDING_OVER, 0, 0, 0, 5}};
+    static const tr_wishes bad_wishes[] = {{TR_INTERIOR_LAYERS, TR_BLENDING_OVER, 0, 0, 0, 0, TR_ALPHA_DISTANCE},
+                                           {TR_INTERIOR_LAYERS, TR_BLENDING_OVER, 0, 9, 0, 0, TR_ALPHA_DISTANCE},
+                                           {TR_INTERIOR_IMPLICIT, TR_BLENDING_OVER, 0, 9, 0, 0, TR_ALPHA_DISTANCE},
+                                           {(tr_interior)5, TR_BLENDING_OVER, 0, 0, 0, 0, TR_ALPHA_DISTANCE},
+                                           {TR_INTERIOR_IMPLICIT, (tr_blending)3, 0, 0, 0, 0, TR_ALPHA_DISTANCE},
+                                           {TR_INTERIOR_IMPLICIT, TR_BLENDING_OVER, 16, 0, 0, 0, TR_ALPHA_DISTANCE},
+                                           {TR_INTERIOR_IMPLICIT, TR_BLENDING_OVER, 0, 0, 8, 0, TR_ALPHA_DISTANCE},
+                                           {TR_INTERIOR_IMPLICIT, TR_BLENDING_OVER, 0, 0, 0, 5, TR_ALPHA_DISTANCE},
+                                           {TR_INTERIOR_IMPLICIT, TR_BLENDING_OVER, 0, 0, 0, 0, TR_ALPHA_COUNT}};
     static const tr_object good[] = {{0xfffffeu, TR_TRANSPARENT | TR_GROUP(127)}, {0xffffffffu, TR_OPAQUE}};
     tr_wishes wishes = {0};
     tr_plan plan;
@@ -1237,6 +1246,55 @@ static void test_strings(void **state) {
     assert_nothing_left();
 }
 
+/* A rung of alpha costs a frame nothing but the textures it reads, in the passes that blend. */
+static void test_alpha_in_frames(void **state) {
+    static const float points[2][3] = {{0, 0, 0}, {1, 0, 0}};
+    static const uint32_t ends[2] = {0, 1}, offsets[2] = {0, 1}, candidates[1] = {0};
+    tr_desc desc = make_desc(TR_STATE_RESTORE);
+    tr_frame frame = make_frame(3, 4);
+    tr_edge_set set;
+    tr_edges edges;
+    tr_outlines image = {9, 10, 64, 32, {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1.5f, -1, 0, 0, -2, 0}};
+    int calls[TR_ALPHA_COUNT];
+    (void)state;
+    reset_driver();
+    tr_context *tr = tr_create(&desc, NULL);
+    memset(&edges, 0, sizeof edges);
+    edges.positions = points[0];
+    edges.position_count = 2;
+    edges.ends = ends;
+    edges.edge_count = 1;
+    edges.offsets = offsets;
+    edges.candidates = candidates;
+    edges.triangle_count = 1;
+    for (int alpha = TR_ALPHA_CANDIDATES; alpha < TR_ALPHA_COUNT; ++alpha) {
+        frame.wishes.alpha = (tr_alpha)alpha;
+        assert_int_equal(tr_begin(tr, &frame), TR_INVALID_ARGUMENT);
+        assert_non_null(strstr(driver.text, alpha == TR_ALPHA_IMAGE ? "tr_find_outlines" : "tr_set_edges"));
+    }
+    assert_int_equal(tr_set_edges(tr, &edges, 1, &set), TR_OK);
+    assert_int_equal(tr_find_outlines(tr, &image), TR_OK);
+    for (int alpha = 0; alpha < TR_ALPHA_COUNT; ++alpha) {
+        frame.wishes.alpha = (tr_alpha)alpha;
+        run_frame(tr, &frame);
+        int first = driver.call_count;
+        run_frame(tr, &frame);
+        calls[alpha] = driver.call_count - first;
+        assert_int_equal(called_since(first, "TexSubImage2D") + called_since(first, "TexImage2D"), 0);
+    }
+    /* An array: three calls in the one pass that blends, three to save its unit and three to restore it. */
+    assert_int_equal(calls[TR_ALPHA_PUBLISHED], calls[TR_ALPHA_DISTANCE]);
+    assert_int_equal(calls[TR_ALPHA_EXACT], calls[TR_ALPHA_DISTANCE] + 9);
+    assert_int_equal(calls[TR_ALPHA_IMAGE], calls[TR_ALPHA_DISTANCE] + 9);
+    assert_int_equal(calls[TR_ALPHA_CANDIDATES], calls[TR_ALPHA_DISTANCE] + 18);
+    assert_int_equal(tr_begin(tr, &frame), TR_OK);
+    assert_int_equal(tr_set_edges(tr, &edges, 1, &set), TR_WRONG_ORDER);
+    assert_int_equal(tr_find_outlines(tr, &image), TR_WRONG_ORDER);
+    assert_int_equal(tr_end(tr), TR_OK);
+    tr_destroy(tr);
+    assert_nothing_left();
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_each_missing_function_is_named),
@@ -1263,6 +1321,7 @@ int main(void) {
         cmocka_unit_test(test_crossings_are_kept),
         cmocka_unit_test(test_plan_prints_like_snprintf),
         cmocka_unit_test(test_objects_and_passes),
+        cmocka_unit_test(test_alpha_in_frames),
         cmocka_unit_test(test_view_alpha),
         cmocka_unit_test(test_strings),
     };
