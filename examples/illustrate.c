@@ -56,6 +56,9 @@ static const char HELP[] =
     "  --shade SHADE            cool-to-warm (default) or flat\n"
     "  --background RRGGBB      or none for a see-through one; default ffffff\n"
     "  --k K                    how fast transparent surfaces clear away from their silhouettes (exponent)\n"
+    "  --alpha-quality N        how that is found: 1: alpha at vertices, as published; 2: distance at vertices; 3\n"
+    "                           (default): distance at each pixel, to the edges that its triangle carries; 4: at each\n"
+    "                           pixel, to all edges. 1 and 2 divide the mesh finely first\n"
     "  --blend BLEND            over (default), normalised or published; the last two weigh what is behind\n"
     "  --weights OPAQUE,BACKGROUND\n"
     "                           how much of what is behind shines through, 0 to 1 each; for --blend normalised and\n"
@@ -440,6 +443,12 @@ static int set_k(options *o, const char *value) {
     return DONE;
 }
 
+static int set_alpha_quality(options *o, const char *value) {
+    if (!read_whole(value, strlen(value), 1, 4, &o->job.alpha_quality))
+        return misused("--alpha-quality %s: not a whole number from 1 to 4", value);
+    return DONE;
+}
+
 static int set_quality(options *o, const char *value) {
     if (!read_whole(value, strlen(value), 1, 8, &o->job.quality))
         return misused("--quality %s: not a whole number from 1 to 8", value);
@@ -533,6 +542,7 @@ static const option OPTIONS[] = {{"--output", true, set_output},
                                  {"--shade", true, set_shade},
                                  {"--background", true, set_background},
                                  {"--k", true, set_k},
+                                 {"--alpha-quality", true, set_alpha_quality},
                                  {"--blend", true, set_blend},
                                  {"--weights", true, set_weights},
                                  {"--interior", true, set_interior},

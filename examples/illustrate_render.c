@@ -48,7 +48,9 @@ typedef struct figure {
     double model_view[16];
     bool mirrored;
     float d_max;
-    GLuint array, distance_buffer, line_array, line_buffer;
+    size_t edge_set; /* of a transparent figure: which of the renderer's, from 1 */
+    tr_edge_set alpha_edges;
+    GLuint array, alpha_buffer, line_array, line_buffer; /* alpha_buffer: distances, or numbers of triangles */
     sil_edge *edges;
     sil_strip *strips;
     uint32_t *strip_vertices;
@@ -71,6 +73,9 @@ typedef struct renderer {
     double reach[2]; /* distances of the nearest and the farthest place along the view */
     sil_image drawn; /* what covers a tile, for outer lines */
     tr_context *tr;
+    tr_alpha alpha;
+    tr_edges *edges; /* of the transparent figures, one after the other, until they are uploaded */
+    size_t edge_sets;
     tr_interior interior;
     GLuint framebuffer, color, depth;
     int tile_width, tile_height, margin; /* of tiles, around what is kept of them: lines are whole across borders */
@@ -359,8 +364,10 @@ static void borrow_surface(const scene_mesh *mesh, surface *s) {
     s->index_count = mesh->index_count - mesh->index_count % 3;
 }
 
-/* A finer copy for a transparent part: alpha is linear within a triangle, and needs about this many steps. */
+/* A finer copy for a transparent part. Distances are linear within a triangle, and need about this many steps to look
+ * right; candidates are exact without, but the larger a triangle, the more edges it carries to all of its pixels. */
 static bool refine_surface(renderer *r, const scene_mesh *mesh, surface *s) {
+    static const double steps[TR_ALPHA_COUNT] = {40, 40, 16, 0.5};
     double low[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, high[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}, diagonal = 0;
     scene_mesh fine;
     for (size_t i = 0; i < 3 * mesh->vertex_count; ++i) {
@@ -369,10 +376,33 @@ static bool refine_surface(renderer *r, const scene_mesh *mesh, surface *s) {
     }
     for (int k = 0; k < 3; ++k)
         diagonal += (high[k] - low[k]) * (high[k] - low[k]);
-    if (!refine_mesh(mesh, sqrt(diagonal) / 40, 400000, &fine))
+    if (!refine_mesh(mesh, sqrt(diagonal) / steps[r->alpha], 400000, &fine))
         return no_memory(r);
     borrow_surface(&fine, s);
     s->owned = true;
+    return true;
+}
+
+/* One value a corner, in place of one a vertex. */
+static bool spread(float **values, const uint32_t *indices, size_t corners) {
+    float *spread_out = *values ? malloc((corners + 1) * 3 * sizeof(float)) : NULL;
+    if (!spread_out)
+        return !*values;
+    for (size_t i = 0; i < corners; ++i)
+        memcpy(spread_out + 3 * i, *values + 3 * (size_t)indices[i], 3 * sizeof(float));
+    free(*values);
+    *values = spread_out;
+    return true;
+}
+
+/* A surface of ours shares no vertices any more, so that its triangles can be numbered at theirs. */
+static bool flatten_surface(renderer *r, surface *s) {
+    if (!spread(&s->positions, s->indices, s->index_count) || !spread(&s->normals, s->indices, s->index_count) ||
+        !spread(&s->colors, s->indices, s->index_count))
+        return no_memory(r);
+    for (size_t i = 0; i < s->index_count; ++i)
+        s->indices[i] = (uint32_t)i;
+    s->vertex_count = s->index_count;
     return true;
 }
 
@@ -404,7 +434,8 @@ static bool make_figures(renderer *r) {
         f->object.flags = transparent[i] && !f->phantom ? (uint32_t)TR_TRANSPARENT : 0;
         if (f->object.flags & TR_TRANSPARENT) {
             f->surface = extra++;
-            ok = refine_surface(r, &s->meshes[f->part->mesh], &r->surfaces[f->surface]);
+            ok = refine_surface(r, &s->meshes[f->part->mesh], &r->surfaces[f->surface]) &&
+                 (r->alpha != TR_ALPHA_CANDIDATES || flatten_surface(r, &r->surfaces[f->surface]));
             r->surfaces[f->surface].sheet = r->surfaces[f->part->mesh].sheet;
             r->surfaces[f->surface].inward = r->surfaces[f->part->mesh].inward;
         }
@@ -519,38 +550,120 @@ static double wanted_k(const renderer *r) {
     return r->job->k >= 0 ? (double)r->job->k : 0.45;
 }
 
-/* Alpha's distances, of the vertices of the fine mesh to the outline of the coarse one. */
-static bool upload_distances(renderer *r, figure *f, const sil_view *view) {
+static void upload_alpha(figure *f, const void *values, size_t count) {
+    glGenBuffers(1, &f->alpha_buffer);
+    glBindBuffer(GL_ARRAY_BUFFER, f->alpha_buffer);
+    glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)(count * sizeof(float)), values, GL_STATIC_DRAW); /* or of uint32_t */
+}
+
+/* Distances at the vertices of the fine mesh to the outline of the coarse one. */
+static bool find_distances(renderer *r, figure *f, const sil_edge_tree *tree) {
     const surface *s = &r->surfaces[f->surface];
-    const sil_mesh *mesh = r->surfaces[f->part->mesh].mesh;
-    const unsigned kinds = SIL_SILHOUETTE | SIL_BOUNDARY;
-    sil_distance_desc desc;
-    sil_result result;
-    size_t count = sil_extract(mesh, NULL, view, kinds, NULL, 0);
-    sil_edge *edges = malloc((count + 1) * sizeof *edges);
     float *distances = malloc((s->vertex_count + 1) * sizeof *distances);
-    sil_edge_tree *tree = sil_edge_tree_create(mesh, &result);
+    if (!distances)
+        return no_memory(r);
+    sil_result result = sil_distances_at(tree, s->positions, 0, s->vertex_count, distances, NULL);
+    if (result == SIL_OK)
+        upload_alpha(f, distances, s->vertex_count);
+    free(distances);
+    return result == SIL_OK ? true : broken(r, "distances: %s", sil_result_string(result));
+}
+
+/* Which edges each triangle carries, and the triangles' numbers. */
+static bool find_candidates(renderer *r, figure *f, const sil_edge_tree *tree, tr_edges *edges) {
+    const surface *s = &r->surfaces[f->surface];
+    size_t triangles = s->index_count / 3, capacity = 8 * triangles, needed = 0;
+    uint32_t *offsets = malloc((triangles + 1) * sizeof *offsets), *list = malloc((capacity + 1) * sizeof *list);
+    uint32_t *numbers = malloc((s->vertex_count + 1) * sizeof *numbers);
+    sil_result result = SIL_OUT_OF_MEMORY;
+    if (offsets && list && numbers)
+        result =
+            sil_candidates(tree, s->positions, 0, s->vertex_count, NULL, triangles, offsets, list, capacity, &needed);
+    if (result == SIL_OK && needed > capacity) {
+        free(list);
+        list = malloc(needed * sizeof *list);
+        result = list ? sil_candidates(tree, s->positions, 0, s->vertex_count, NULL, triangles, offsets, list, needed,
+                                       &needed)
+                      : SIL_OUT_OF_MEMORY;
+    }
+    for (size_t i = 0; result == SIL_OK && i < s->vertex_count; ++i)
+        numbers[i] = (uint32_t)(i / 3);
+    if (result == SIL_OK)
+        upload_alpha(f, numbers, s->vertex_count);
+    free(numbers);
+    edges->offsets = offsets;
+    edges->candidates = list;
+    edges->triangle_count = triangles;
+    return result == SIL_OK ? true : broken(r, "candidates: %s", sil_result_string(result));
+}
+
+static bool find_order(renderer *r, const sil_edge_tree *tree, tr_edges *edges) {
+    uint32_t *order = malloc((edges->edge_count + 1) * sizeof *order);
+    if (!order)
+        return no_memory(r);
+    edges->edge_count = sil_edge_tree_order(tree, order, edges->edge_count);
+    edges->order = order;
+    return true;
+}
+
+/* What alpha is found by: the outline of the coarse mesh, and what the rung makes of it. */
+static bool prepare_alpha(renderer *r, figure *f, const sil_view *view) {
+    const surface *coarse = &r->surfaces[f->part->mesh];
+    const unsigned kinds = SIL_SILHOUETTE | SIL_BOUNDARY;
+    tr_edges *set = &r->edges[r->edge_sets];
+    f->edge_set = ++r->edge_sets;
+    size_t count = sil_extract(coarse->mesh, NULL, view, kinds, NULL, 0);
+    sil_edge *edges = malloc((count + 1) * sizeof *edges);
+    sil_edge_tree *tree = sil_edge_tree_create(coarse->mesh, NULL);
+    sil_distance_desc desc;
     memset(&desc, 0, sizeof desc);
     for (int i = 0; i < 9; ++i)
-        desc.model[i] = (float)f->part->transform[i / 3 * 4 + i % 3];
-    bool ok = edges && distances && tree ? true : no_memory(r);
+        set->model[i] = desc.model[i] = (float)f->part->transform[i / 3 * 4 + i % 3];
+    bool ok = edges && tree ? true : no_memory(r);
+    set->positions = coarse->positions;
+    set->position_count = coarse->vertex_count;
+    set->ends = ok ? &edges[0].a : NULL; /* freed with the sets */
+    set->end_stride = sizeof *edges;
+    set->edge_count = ok ? count : 0;
     if (ok) {
-        sil_extract(mesh, NULL, view, kinds, edges, count);
-        result = sil_edge_tree_build(tree, NULL, edges, count, &desc);
-        if (result == SIL_OK)
-            result = sil_distances_at(tree, s->positions, 0, s->vertex_count, distances, NULL);
+        sil_extract(coarse->mesh, NULL, view, kinds, edges, count);
+        sil_result result = sil_edge_tree_build(tree, NULL, edges, count, &desc);
         ok = result == SIL_OK ? true : broken(r, "distances: %s", sil_result_string(result));
-    }
-    if (ok) {
-        f->d_max = sil_max_distance(mesh, NULL, desc.model);
-        glGenBuffers(1, &f->distance_buffer);
-        glBindBuffer(GL_ARRAY_BUFFER, f->distance_buffer);
-        glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)(s->vertex_count * sizeof *distances), distances, GL_STATIC_DRAW);
-    }
+        f->d_max = sil_max_distance(coarse->mesh, NULL, desc.model);
+    } else
+        free(edges);
+    if (ok)
+        ok = r->alpha == TR_ALPHA_CANDIDATES ? find_candidates(r, f, tree, set)
+             : r->alpha == TR_ALPHA_EXACT    ? find_order(r, tree, set)
+                                             : find_distances(r, f, tree);
     sil_edge_tree_destroy(tree);
-    free(edges);
-    free(distances);
     return ok;
+}
+
+static void free_lists(tr_edges *set) {
+    free((void *)(uintptr_t)set->offsets);
+    free((void *)(uintptr_t)set->candidates);
+    free((void *)(uintptr_t)set->order);
+    set->offsets = set->candidates = set->order = NULL;
+}
+
+/* Lists that are too long for the driver's textures are left out: alpha is then searched for among all edges. */
+static bool upload_edges(renderer *r) {
+    tr_edge_set *sets = calloc(r->edge_sets + 1, sizeof *sets);
+    if (!sets)
+        return no_memory(r);
+    tr_result result = tr_set_edges(r->tr, r->edges, r->edge_sets, sets);
+    if (result == TR_TOO_LARGE && r->alpha == TR_ALPHA_CANDIDATES) {
+        for (size_t i = 0; i < r->edge_sets; ++i)
+            free_lists(&r->edges[i]);
+        r->alpha = TR_ALPHA_EXACT;
+        result = tr_set_edges(r->tr, r->edges, r->edge_sets, sets);
+    }
+    for (size_t i = 0; i < r->figure_count; ++i)
+        if (r->figures[i].edge_set > 0)
+            r->figures[i].alpha_edges = sets[r->figures[i].edge_set - 1];
+    free(sets);
+    return result == TR_OK ? true : broken(r, "edges for alpha: %s", tr_result_string(result));
 }
 
 /* Length of a strip in pixels of the picture; infinite where it comes before the eye. */
@@ -660,14 +773,14 @@ static bool find_lines(renderer *r, figure *f) {
         return broken(r, "silhouettes: %s", sil_result_string(result));
     bool ok = find_smooth(r, f, mesh, pose, &view) && chain_lines(r, f, mesh, pose, &view);
     if (ok && (f->object.flags & TR_TRANSPARENT))
-        ok = upload_distances(r, f, &view);
+        ok = prepare_alpha(r, f, &view);
     sil_pose_destroy(pose);
     free(f->edges);
     f->edges = NULL;
     return ok;
 }
 
-static void upload_figure(figure *f, const surface *s) {
+static void upload_figure(figure *f, const surface *s, bool numbered) {
     size_t bytes = s->vertex_count * 3 * sizeof(float);
     glGenVertexArrays(1, &f->array);
     glBindVertexArray(f->array);
@@ -680,8 +793,12 @@ static void upload_figure(figure *f, const surface *s) {
         glEnableVertexAttribArray(3);
         glVertexAttribPointer(3, 3, GL_FLOAT, GL_FALSE, 0, (const void *)(2 * bytes));
     }
-    if (f->distance_buffer) {
-        glBindBuffer(GL_ARRAY_BUFFER, f->distance_buffer);
+    if (f->alpha_buffer && numbered) {
+        glBindBuffer(GL_ARRAY_BUFFER, f->alpha_buffer);
+        glEnableVertexAttribArray(4);
+        glVertexAttribIPointer(4, 1, GL_UNSIGNED_INT, 0, NULL);
+    } else if (f->alpha_buffer) {
+        glBindBuffer(GL_ARRAY_BUFFER, f->alpha_buffer);
         glEnableVertexAttribArray(2);
         glVertexAttribPointer(2, 1, GL_FLOAT, GL_FALSE, 0, NULL);
     }
@@ -703,6 +820,9 @@ static bool prepare(renderer *r) {
     report(r, "geometry", 0);
     if (!make_figures(r) || !make_camera(r))
         return false;
+    r->edges = calloc(r->figure_count + 1, sizeof *r->edges);
+    if (!r->edges)
+        return no_memory(r);
     for (size_t i = 0; i < r->figure_count; ++i) {
         figure *f = &r->figures[i];
         surface *s = &r->surfaces[f->surface];
@@ -710,9 +830,11 @@ static bool prepare(renderer *r) {
             upload_surface(s);
         if (!find_lines(r, f))
             return false;
-        upload_figure(f, s);
+        upload_figure(f, s, r->alpha == TR_ALPHA_CANDIDATES);
         report(r, "lines", (double)(i + 1) / (double)r->figure_count);
     }
+    if (r->alpha >= TR_ALPHA_CANDIDATES && r->edge_sets > 0 && !upload_edges(r))
+        return false;
     r->cpu_ms = now_ms() - start;
     return true;
 }
@@ -873,6 +995,7 @@ static tr_frame make_frame(const renderer *r) {
     frame.scene = tr_scene_count(r->figures, r->figure_count, sizeof *r->figures);
     frame.wishes.interior = r->interior;
     frame.wishes.blending = blendings[job->blending];
+    frame.wishes.alpha = r->edge_sets > 0 ? r->alpha : TR_ALPHA_DISTANCE;
     frame.wishes.lines = (job->creases ? (uint32_t)TR_LINES_CREASES : 0u) |
                          (job->silhouettes || job->boundaries ? (uint32_t)TR_LINES_OUTLINES : 0u);
     frame.opaque_weight = job->opaque_weight > 0 ? job->opaque_weight : job->opaque_weight == 0 ? -1.0f : 0.0f;
@@ -905,6 +1028,7 @@ static void draw_surface(renderer *r, const tr_pass *pass, const figure *f, cons
     material.color[3] = 1.0f;
     material.d_max = f->d_max;
     material.k = (float)wanted_k(r);
+    material.edges = &f->alpha_edges;
     material.object = f->object.id;
     tr_set_material(r->tr, pass, &material);
     glFrontFace(f->mirrored != s->inward ? GL_CW : GL_CCW);
@@ -1098,6 +1222,11 @@ static void put_string(text *t, const char *string) {
     put(t, "\"");
 }
 
+static const char *alpha_name(tr_alpha alpha) {
+    static const char *const names[TR_ALPHA_COUNT] = {"distance at vertices", "published", "candidates", "exact"};
+    return names[alpha];
+}
+
 static const char *interior_name(tr_interior interior) {
     return interior == TR_INTERIOR_EXPLICIT ? "explicit" : interior == TR_INTERIOR_IMPLICIT ? "implicit" : "published";
 }
@@ -1120,8 +1249,8 @@ static void explain(renderer *r) {
     static const char *const styles[] = {"auto", "hodges", "lines", "opaque"};
     text t = {NULL, 0, 0, false};
     size_t listed = 0;
-    put(&t, "{\n  \"style\": \"%s\",\n  \"interior\": \"%s\",\n  \"transparent\": [", styles[r->style],
-        interior_name(r->interior));
+    put(&t, "{\n  \"style\": \"%s\",\n  \"interior\": \"%s\",\n  \"alpha\": \"%s\",\n  \"transparent\": [",
+        styles[r->style], interior_name(r->interior), alpha_name(r->alpha));
     for (size_t i = 0; i < r->figure_count; ++i)
         if (r->figures[i].object.flags & TR_TRANSPARENT) {
             put(&t, listed++ ? ", " : "");
@@ -1250,7 +1379,7 @@ static bool start(renderer *r, tr_proc (*get_proc)(const char *)) {
 static void finish(renderer *r) {
     for (size_t i = 0; i < r->figure_count; ++i) {
         figure *f = &r->figures[i];
-        const GLuint arrays[2] = {f->array, f->line_array}, buffers[2] = {f->distance_buffer, f->line_buffer};
+        const GLuint arrays[2] = {f->array, f->line_array}, buffers[2] = {f->alpha_buffer, f->line_buffer};
         if (r->tr) {
             glDeleteVertexArrays(2, arrays);
             glDeleteBuffers(2, buffers);
@@ -1274,6 +1403,11 @@ static void finish(renderer *r) {
             free(s->indices);
         }
     }
+    for (size_t i = 0; r->edges && i < r->edge_sets; ++i) {
+        free_lists(&r->edges[i]);
+        free((void *)(uintptr_t)r->edges[i].ends);
+    }
+    free(r->edges);
     free(r->figures);
     free(r->surfaces);
     if (r->framebuffer)
@@ -1286,12 +1420,15 @@ static void finish(renderer *r) {
 }
 
 bool illustrate_render(const illustrate_job *job, void (*(*get_proc)(const char *))(void), illustrate_result *result) {
+    static const tr_alpha rungs[5] = {TR_ALPHA_CANDIDATES, TR_ALPHA_PUBLISHED, TR_ALPHA_DISTANCE, TR_ALPHA_CANDIDATES,
+                                      TR_ALPHA_EXACT};
     renderer r;
     memset(&r, 0, sizeof r);
     memset(result, 0, sizeof *result);
     r.job = job;
     r.result = result;
     r.style = job->style;
+    r.alpha = rungs[job->alpha_quality];
     bool ok = start(&r, get_proc) && prepare(&r);
     if (ok && r.style == STYLE_AUTO) {
         tr_scene found = tr_scene_count(r.figures, r.figure_count, sizeof *r.figures);

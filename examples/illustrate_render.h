@@ -46,6 +46,7 @@ typedef struct illustrate_job {
     float opaque_weight; /* weight of opaque things behind a transparent surface; negative: the renderer's default */
     float background_weight; /* the same for the background */
     float k;                 /* exponent of equation 2; negative: the renderer's default */
+    int alpha_quality;       /* rung of the alpha ladder, 1 to 4; 0: 3 */
     illustrate_blend blending;
     illustrate_interior interior;
     bool explain, verbose; /* explain: fill explain_json; verbose: lines about the path taken may go to stderr */
