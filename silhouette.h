@@ -7020,16 +7020,17 @@ static int sil_i_is_outer(const sil_i_pen *pen, const sil_i_spot *spot, const do
     return sil_i_is_background(pen, spot->x + x, spot->y + y) || sil_i_is_background(pen, spot->x - x, spot->y - y);
 }
 
-static double sil_i_outer_factor(const sil_i_pen *pen, double level) {
-    return sil_i_mix(pen->thin, pen->heavy, level);
+static double sil_i_outer_half(const sil_i_pen *pen, double half, double level) {
+    half *= sil_i_mix(pen->thin, pen->heavy, level);
+    return half < 2048 ? half : 2048;
 }
 
 /* The piece from t0 to t1 of a segment, whose level changes from one to the other. */
 static void sil_i_pen_outer_piece(sil_i_pen *pen, const sil_i_spot *from, const sil_i_spot *to, double t0, double t1,
                                   const double level[2], int keep_cap) {
     sil_i_spot a = sil_i_spot_mix(from, to, t0), b = sil_i_spot_mix(from, to, t1);
-    a.half *= sil_i_outer_factor(pen, level[0]);
-    b.half *= sil_i_outer_factor(pen, level[1]);
+    a.half = sil_i_outer_half(pen, a.half, level[0]);
+    b.half = sil_i_outer_half(pen, b.half, level[1]);
     sil_i_pen_dashes(pen, &a, &b, keep_cap && !(t0 > 0));
 }
 

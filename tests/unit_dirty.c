@@ -181,6 +181,35 @@ static void test_crack_distance(void **state) {
     }
 }
 
+/* One side and one vertex of another face near it: cut if it is near the side's inside, and not near its ends. */
+static void test_where_cuts_are(void **state) {
+    static const struct {
+        double x, y;
+        size_t cuts;
+    } places[] = {{5, 0.9, 1},  {5, -0.9, 1},    {5, 1.1, 0},    {5, -1.1, 0},    {0.5, 0.5, 0},
+                  {9.5, 0, 0},  {-0.5, 0, 0},    {10.5, 0, 0},   {0.8, 0.8, 4},   {9.2, -0.8, 1},
+                  {1.01, 0, 1}, {0.99, 0.01, 0}, {-1.5, 0.5, 0}, {11.5, -0.5, 0}, {5, 0, 1}};
+    size_t i, turn;
+    (void)state;
+    for (i = 0; i < sizeof places / sizeof *places; ++i)
+        for (turn = 0; turn < 3; ++turn) {
+            shape s = empty_shape();
+            sil_mesh_desc desc;
+            sil_mesh *mesh;
+            const uint32_t a = add_vertex(&s, 0, 0, 0), b = add_vertex(&s, 10, 0, 0), c = add_vertex(&s, 5, 50, 0);
+            const uint32_t v[3] = {a, b, c};
+            add_face(&s, v[turn], v[(turn + 1) % 3], v[(turn + 2) % 3]);
+            add_face(&s, add_vertex(&s, places[i].x, places[i].y, 0), add_vertex(&s, 4, -30, 0),
+                     add_vertex(&s, 6, -30, 0));
+            desc = desc_of(&s);
+            desc.t_junction_distance = 1;
+            mesh = mesh_from(&desc);
+            assert_int_equal(sil_mesh_get_info(mesh).t_junction_count, places[i].cuts);
+            sil_mesh_destroy(mesh);
+            shape_free(&s);
+        }
+}
+
 /* A face with cuts on all its sides, and how many lines remain. */
 static void test_cuts_on_all_sides(void **state) {
     const float low[9] = {0, 0, 0, 8, 0, 0, 0, 8, 0};
@@ -343,7 +372,8 @@ static void test_orient(void **state) {
         check_oriented(&torus, seed);
         check_oriented(&box, seed);
     }
-    check_oriented(&sheet, 2); /* of an open one what most of it was */
+    for (seed = 0; seed < 12; ++seed)
+        check_oriented(&sheet, 3); /* of an open one what most of it was */
     /* Two shells with a solid in the middle: out, in, out, in, out. */
     for (seed = 0; seed < 5; ++seed) {
         const size_t first = nest.index_count / 3;
@@ -699,19 +729,13 @@ static void test_memory_runs_out(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_cracks_of_a_torus),
-        cmocka_unit_test(test_two_sheets),
-        cmocka_unit_test(test_crack_distance),
-        cmocka_unit_test(test_cuts_on_all_sides),
-        cmocka_unit_test(test_thin_companions),
-        cmocka_unit_test(test_slivers_that_fill),
-        cmocka_unit_test(test_orient),
-        cmocka_unit_test(test_orient_moebius),
-        cmocka_unit_test(test_part_borders),
-        cmocka_unit_test(test_part_borders_of_many),
-        cmocka_unit_test(test_kinds_alone),
-        cmocka_unit_test(test_soup_in_any_order),
-        cmocka_unit_test(test_bad_options),
+        cmocka_unit_test(test_cracks_of_a_torus),    cmocka_unit_test(test_two_sheets),
+        cmocka_unit_test(test_crack_distance),       cmocka_unit_test(test_where_cuts_are),
+        cmocka_unit_test(test_cuts_on_all_sides),    cmocka_unit_test(test_thin_companions),
+        cmocka_unit_test(test_slivers_that_fill),    cmocka_unit_test(test_orient),
+        cmocka_unit_test(test_orient_moebius),       cmocka_unit_test(test_part_borders),
+        cmocka_unit_test(test_part_borders_of_many), cmocka_unit_test(test_kinds_alone),
+        cmocka_unit_test(test_soup_in_any_order),    cmocka_unit_test(test_bad_options),
         cmocka_unit_test(test_memory_runs_out),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
