@@ -117,12 +117,12 @@
       - SIL_WEIGHT_OUTER: where the background lies within a pixel and a half on either side the line is heavy, in
         whatever edge that begins or ends; it passes from thin to heavy in eight pixels. Three ways to the outer lines:
           - the host's depth or ids, read back: exact to a pixel, lines through the middle of the picture included.
-            Making the ribbons takes 2.2 times as long (docs/silhouette.md); reading back waits for the GPU, or is a
+            Making the ribbons takes 2.1 times as long (docs/silhouette.md); reading back waits for the GPU, or is a
             frame late;
           - the same from a picture that the CPU draws (examples/depth_image.c): no wait, but each triangle again;
-          - the stencil (5.1.3): the host marks pixels as it draws the scene, and draws silhouettes and boundaries once
-            more, wider, where there is no mark. No read-back, one more pass over the ribbons; only the half of a line
-            that lies outside becomes wider.
+          - on the GPU (5.1.3): silhouettes and boundaries once more, wider, where no surface was drawn, by a stencil or
+            as transparency.h does it (TR_LINES_OUTER). No read-back, one more pass over the ribbons; only the half of a
+            line that lies outside becomes wider.
         SIL_WEIGHT_THICK_THIN is what comes close without any picture: outer lines are among its heavy ones, and so are
         silhouettes before other things.
       - SIL_WEIGHT_PERSPECTIVE: by the distance of the vertex along the view, linear between desc.reach, also in parallel
@@ -183,7 +183,8 @@
         or two more than the noise of the normals.
       - A CAD model with cracks and needles: t_junction_distance of 1e-5 of its size, and SIL_MESH_ORIENT.
       - An animated character: one sil_pose an instance; sil_pose_set after skinning.
-      - Hidden lines dashed: the ribbons once more with dashes, drawn where the depth test fails.
+      - Hidden lines dashed: the ribbons once more with dashes, drawn where the depth test fails (transparency.h:
+        TR_LINES_HIDDEN).
       - Things with sharp edges, lit from a side: sil_chain_corners by 60 degrees, then SIL_WEIGHT_LIGHT.
       - A scanned or modelled surface without sharp edges: sil_smooth, with SIL_SMOOTH_HERMITE, in place of
         SIL_SILHOUETTE; boundaries by sil_extract. Or SIL_CHAIN_NO_CONCAVE, against the hooks of silhouettes at cusps.
