@@ -1,8 +1,9 @@
 /* silhouette.h - v0.1.0 - feature lines of triangle meshes, on the CPU - MIT licence (text at the end of the file)
 
     Silhouettes, creases, boundaries and non-manifold edges of a triangle mesh for a given eye; chains of them; screen
-    space ribbons with width, joins and caps; the distance of every vertex to the nearest of them. One header, no GL,
-    no dependency but the C library's memory, string and mathematics functions.
+    space ribbons with the illustrators' weights, dashes, joins and caps; smooth silhouettes; the distance of every
+    vertex to the nearest of them. One header, no GL, no dependency but the C library's memory, string and mathematics
+    functions.
 
     DOES
       - find silhouettes without gaps: every face is classified once, exactly, and an edge is a silhouette if and only
@@ -15,7 +16,7 @@
     DOES NOT
       - draw, or decide what is hidden: the lines are all of the mesh's, visible or not. Hidden ones are for a depth
         test (see `slack` of sil_ribbon_vertex);
-      - mend meshes, or find the smooth contour that runs through the inside of faces;
+      - mend meshes beyond what DIRTY MESHES says;
       - find lines where two faces pass through each other.
 
     QUICK START
@@ -83,7 +84,8 @@
       - Memory comes from desc.allocator. sil_mesh_create and sil_pose_create allocate. sil_pose_set, and a dead zone
         that remembers, do so the first time. sil_chain needs scratch memory: with a pose it is kept there and only ever grows; sil_pose_reserve makes
         it large enough at once. So a steady frame allocates nothing. sil_chain without a pose allocates and frees in
-        the call. A sil_edge_tree allocates when built over more edges than ever before, unless sil_edge_tree_reserve
+        the call. So does sil_smooth, with 32 bytes a vertex and one a face. A sil_dashes grows with the lines that it
+        follows. A sil_edge_tree allocates when built over more edges than ever before, unless sil_edge_tree_reserve
         has made room. All other functions never allocate.
       - No global variables. A mesh never changes once made: any number of threads may use it at once. A pose holds what
         changes; use one pose by one thread at a time. sil_distances only reads the pose, so several threads may share
@@ -107,6 +109,34 @@
       the patches would have to be looked at it gives way to the flat scan, and is tried again after one, two, four, and
       at most 64 views: the pose remembers that. Posed meshes, poses with a dead
       zone, and calls without a pose, use the flat scan.
+
+    LINE WEIGHTS (Gooch 1999, 3.1 and 5.1.3)
+      The width of a line is width * width_scale of its kind * widths of the vertex * a factor by desc.weight, `heavy` or
+      `thin` or in between. It is linear on the screen between two vertices; a vertex given twice makes a step.
+      - SIL_WEIGHT_THICK_THIN: what a line is says whether one or both of its faces can be seen. Costs nothing.
+      - SIL_WEIGHT_OUTER: where the background lies within a pixel and a half on either side the line is heavy, in
+        whatever edge that begins or ends; it passes from thin to heavy in eight pixels. Three ways to the outer lines:
+          - the host's depth or ids, read back: exact to a pixel, lines through the middle of the picture included.
+            Making the ribbons takes 2.1 times as long (docs/silhouette.md); reading back waits for the GPU, or is a
+            frame late;
+          - the same from a picture that the CPU draws (examples/depth_image.c): no wait, but each triangle again;
+          - on the GPU (5.1.3): silhouettes and boundaries once more, wider, where no surface was drawn, by a stencil or
+            as transparency.h does it (TR_LINES_OUTER). No read-back, one more pass over the ribbons; only the half of a
+            line that lies outside becomes wider.
+        SIL_WEIGHT_THICK_THIN is what comes close without any picture: outer lines are among its heavy ones, and so are
+        silhouettes before other things.
+      - SIL_WEIGHT_PERSPECTIVE: by the distance of the vertex along the view, linear between desc.reach, also in parallel
+        views. Give reach where several meshes make one picture.
+      - SIL_WEIGHT_LIGHT: by the angle between the light on the screen and the way outward, to the right of the strip.
+        Chains with corners keep the corners of a box sharp. Creases are in the middle.
+      - sil_ribbon_desc.widths: any other, for instance by the line's curvature; and desc.taper for thin ends.
+
+    DASHES
+      Lengths in pixels along the line, as on paper: the caps of dashes lie beyond them, butt ones excepted. A dash of no
+      length is a dot. Phantom lines, of things that are not there or transparent (Diepstraten 2002, figure 2): {24, 5,
+      6, 5, 6, 5}, a long dash and two short ones. Hidden lines: {6, 4}. Lengths that are negative or not finite, an odd
+      number of them, more than 64, or all 0 draw nothing. A segment of more than 65,536 periods is drawn whole. Arcs go
+      on outside of the viewport, so that dashes do not swim at its border. In moving pictures: sil_dashes.
 
     DIRTY MESHES
       - Split vertices are welded by position (weld_distance = 0, the default: same x, y, z; -0 is 0), by distance
@@ -154,7 +184,12 @@
         or two more than the noise of the normals.
       - A CAD model with cracks and needles: t_junction_distance of 1e-5 of its size, and SIL_MESH_ORIENT.
       - An animated character: one sil_pose an instance; sil_pose_set after skinning.
-      - Dashes: discard where fmod(arc, period) > on. Arc is counted in pixels along a strip.
+      - Hidden lines dashed: the ribbons once more with dashes, drawn where the depth test fails (transparency.h:
+        TR_LINES_HIDDEN).
+      - Things with sharp edges, lit from a side: sil_chain_corners by 60 degrees, then SIL_WEIGHT_LIGHT.
+      - A scanned or modelled surface without sharp edges: sil_smooth, with SIL_SMOOTH_HERMITE, in place of
+        SIL_SILHOUETTE; boundaries by sil_extract. Or SIL_CHAIN_NO_CONCAVE, against the hooks of silhouettes at cusps.
+      - Dashes in a shader: discard where fmod(arc, period) > on. Arc is counted in pixels along a strip.
 
     LIMITS AND PRECISION
       - At most 2^32 - 2 vertices and 2^28 - 1 triangles.

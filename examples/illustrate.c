@@ -52,7 +52,7 @@ static const char HELP[] =
     "                           perspective, the foreground heavy; light, thin toward the upper left. phantom: parts that\n"
     "                           would be transparent are drawn as dashed lines only; smooth: rounder silhouettes, on\n"
     "                           meshes without creases;\n"
-    "                           hidden, in SVG: hidden lines as short dashes\n"
+    "                           hidden: hidden lines as short dashes\n"
     "  --shade SHADE            cool-to-warm (default) or flat\n"
     "  --background RRGGBB      or none for a see-through one; default ffffff\n"
     "  --k K                    how fast transparent surfaces clear away from their silhouettes (exponent)\n"
@@ -599,8 +599,6 @@ static int check_options(const options *o) {
             "-o %s: an SVG has lines alone, each of one width: no --style but lines, no --lines perspective or "
             "light, no --explain",
             o->output);
-    if (!o->svg && o->output && o->job.hidden)
-        return misused("--lines hidden: only for SVG");
     return DONE;
 }
 

@@ -57,9 +57,9 @@ typedef struct figure {
     sil_smooth_point *smooth; /* NULL, or where smooth silhouettes run, and their strips */
     sil_strip *smooth_strips;
     size_t smooth_count, smooth_strip_count;
-    bool phantom;                      /* lines only */
-    size_t crease_strips, strip_count; /* creases come first */
-    GLsizei crease_vertices, outline_vertices;
+    bool phantom;                                               /* lines only */
+    size_t crease_strips, strip_count;                          /* creases come first */
+    GLsizei crease_vertices, outline_vertices, hidden_vertices; /* in this order */
 } figure;
 
 typedef struct renderer {
@@ -931,24 +931,44 @@ static void make_ribbons(const renderer *r, const figure *f, const sil_ribbon_de
     }
 }
 
+/* All of them once more, for where they are hidden: thin, in short dashes. */
+static void make_hidden(const renderer *r, const figure *f, const sil_ribbon_desc *desc, sil_ribbon_vertex *out,
+                        size_t count[3]) {
+    const float unit = (float)r->job->quality * fmaxf(1, r->job->line_width / 1.5f);
+    const float dashes[2] = {5 * unit, 3 * unit};
+    sil_ribbon_desc thin = *desc;
+    thin.width *= 0.6f;
+    thin.weight = SIL_WEIGHT_ONE;
+    thin.cap = SIL_CAP_BUTT;
+    thin.dashes = dashes;
+    thin.dash_count = 2;
+    make_ribbons(r, f, &thin, out, count);
+}
+
 static bool upload_lines(renderer *r, figure *f, const double projection[16]) {
     sil_ribbon_desc desc = ribbon_desc(r, f, projection);
     float dashes[6];
-    size_t count[3], all;
+    size_t count[3], hidden[3] = {0, 0, 0}, seen, all;
     if (!f->strips) /* a flattened part */
         return true;
     if (f->phantom)
         set_phantom(r, &desc, dashes);
     make_ribbons(r, f, &desc, NULL, count);
-    all = count[0] + count[1] + count[2];
+    if (r->job->hidden && !f->phantom)
+        make_hidden(r, f, &desc, NULL, hidden);
+    seen = count[0] + count[1] + count[2];
+    all = seen + hidden[0] + hidden[1] + hidden[2];
     sil_ribbon_vertex *v = malloc((all + 1) * sizeof *v);
     if (!v)
         return no_memory(r);
     make_ribbons(r, f, &desc, v, count);
+    if (all > seen)
+        make_hidden(r, f, &desc, v + seen, hidden);
     glBindBuffer(GL_ARRAY_BUFFER, f->line_buffer);
     glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)(all * sizeof *v), v, GL_STREAM_DRAW);
     f->crease_vertices = (GLsizei)count[0];
     f->outline_vertices = (GLsizei)(count[1] + count[2]);
+    f->hidden_vertices = (GLsizei)(all - seen);
     free(v);
     return true;
 }
@@ -997,7 +1017,8 @@ static tr_frame make_frame(const renderer *r) {
     frame.wishes.blending = blendings[job->blending];
     frame.wishes.alpha = r->edge_sets > 0 ? r->alpha : TR_ALPHA_DISTANCE;
     frame.wishes.lines = (job->creases ? (uint32_t)TR_LINES_CREASES : 0u) |
-                         (job->silhouettes || job->boundaries ? (uint32_t)TR_LINES_OUTLINES : 0u);
+                         (job->silhouettes || job->boundaries ? (uint32_t)TR_LINES_OUTLINES : 0u) |
+                         (job->hidden ? (uint32_t)TR_LINES_HIDDEN : 0u);
     frame.opaque_weight = job->opaque_weight > 0 ? job->opaque_weight : job->opaque_weight == 0 ? -1.0f : 0.0f;
     frame.background_weight = job->background_weight > 0    ? job->background_weight
                               : job->background_weight == 0 ? -1.0f
@@ -1049,8 +1070,13 @@ static void draw_pass(renderer *r, const tr_pass *pass, const double projection[
             continue;
         }
         glBindVertexArray(f->line_array);
-        glDrawArrays(GL_TRIANGLES, pass->lines == TR_LINES_CREASES ? 0 : f->crease_vertices,
-                     pass->lines == TR_LINES_CREASES ? f->crease_vertices : f->outline_vertices);
+        GLint first = pass->lines == TR_LINES_CREASES    ? 0
+                      : pass->lines == TR_LINES_OUTLINES ? f->crease_vertices
+                                                         : f->crease_vertices + f->outline_vertices;
+        glDrawArrays(GL_TRIANGLES, first,
+                     pass->lines == TR_LINES_CREASES    ? f->crease_vertices
+                     : pass->lines == TR_LINES_OUTLINES ? f->outline_vertices
+                                                        : f->hidden_vertices);
     }
 }
 

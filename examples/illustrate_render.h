@@ -39,7 +39,7 @@ typedef struct illustrate_job {
     float line_width; /* pixels of the result */
     illustrate_weight weight;
     bool phantom; /* transparent parts are drawn by their lines alone, dashed */
-    bool hidden;  /* hidden lines are there, in SVG */
+    bool hidden;  /* hidden lines are there, in short dashes */
     bool smooth;  /* silhouettes of meshes without creases are smooth ones */
     illustrate_shade shade;
     float background[4]; /* colour and alpha, 0 to 1; alpha 0: the result is see-through where nothing was drawn */

@@ -341,7 +341,6 @@ wrong 'not known' model:mug -o out/picture.png --lines ''
 wrong 'not known' model:mug -o out/picture.png --lines silhouettes,
 wrong 'another kind' model:mug -o out/picture.png --lines none,creases
 wrong 'another way to weigh' model:mug -o out/picture.png --lines outer,light
-wrong 'only for SVG' model:mug -o out/picture.png --lines hidden
 wrong 'an SVG has lines alone' model:mug -o out/picture.svg --lines light
 wrong 'an SVG has lines alone' model:mug -o out/picture.svg --lines perspective
 wrong 'an SVG has lines alone' model:mug -o out/picture.svg --style hodges
@@ -452,6 +451,7 @@ differs --lines outer
 differs --lines perspective
 differs --lines light
 differs --lines phantom
+differs --lines hidden --style lines
 differs --ortho
 differs --view 80,5
 differs --quality 1

@@ -696,7 +696,7 @@ static void test_dashes_of_a_loop(void **state) {
 }
 
 static void test_dashes_that_make_no_sense(void **state) {
-    const float bad[][2] = {{1, -1}, {-1, 1}, {NAN, 1}, {1, INFINITY}, {0, 0}};
+    const float bad[][2] = {{1, -1}, {5, -1}, {-1, 5}, {NAN, 1}, {1, INFINITY}, {0, 0}};
     const float tiny[2] = {1e-30f, 1e-30f}, denormal[2] = {1e-45f, 0}, huge[2] = {3e38f, 3e38f};
     const float nan_phase = NAN;
     static float many[66];
