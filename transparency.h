@@ -120,6 +120,12 @@
    - View-dependent alpha: attribute 2 holds each vertex's distance to the nearest silhouette (sil_distances),
      material.d_max the largest (sil_max_distance). Where that shows bands or seams: the next section.
    - Existing depth: the picture is drawn into the target depth tested, so what the host drew before hides it.
+   - Newer GLSL: the first string of tr_glsl() is the line of #version and nothing else; a host's newer one may stand in
+     its place. A vertex shader that declares gl_Position invariant itself needs none of the vertex stage's strings.
+   - Caches of GL state: with TR_STATE_RESTORE what a host believed before tr_begin is true again after tr_end, but for
+     what the header does not touch: bindings of the host's own uniform buffers and textures. At the start of a pass
+     pass.state.program is in use. docs/integration.md puts the header into an engine that has such a cache.
+   - High dynamic range: make tones first, in the shader that calls tr_surface as well, and draw afterwards; see LIMITS.
 
    THE ALPHA LADDER
    alpha = 1 - (d / d_max)^k (equation 2), d the distance to the nearest silhouette in the world. frame.wishes.alpha says
@@ -541,7 +547,8 @@ TR_DEF void tr_set_material(tr_context *tr, const tr_pass *pass, const tr_materi
 
 typedef enum tr_stage { TR_VERTEX, TR_FRAGMENT, TR_STAGE_COUNT } tr_stage;
 
-/* Strings (with #version) to put before a shader of the host's; valid as long as the context; NULL for bad arguments. */
+/* Strings to put before a shader of the host's, the first of them the line of #version alone; valid as long as the
+   context; NULL for bad arguments. */
 TR_DEF const char *const *tr_glsl(const tr_context *tr, tr_stage stage, tr_rule rule, int *count);
 /* Strings to put after those of tr_glsl and before the host's own: tr_alpha_vertex(position, distance, triangle) for the
    vertex stage, tr_alpha() for the fragment stage (see shaders/alpha_vertex.glsl). The host sets the uniforms

@@ -6,7 +6,7 @@
  * --quiet-place the scene without machines and soldiers
  * --dump        PREFIX.normal, .id, .depth, .picture: the last frame's targets, as their bytes are
  * --check       asks GL after every frame for what the state cache believes; differences end in exit status 2
- * --bench N     N more frames; prints the median of their milliseconds
+ * --bench N     N more frames; prints the medians of their milliseconds and of the processor's, all threads together
  *
  * Needs OpenGL 4.5. The same options give the same bytes on the same driver. */
 #define _POSIX_C_SOURCE 199309L
@@ -135,20 +135,25 @@ static double milliseconds(void) {
     return 1e3 * (double)t.tv_sec + 1e-6 * (double)t.tv_nsec;
 }
 
+static double median(double *values, int count) {
+    qsort(values, (size_t)count, sizeof *values, by_size);
+    return values[count / 2];
+}
+
 static void measure(renderer *r, const world *w, int frames, const camera *c) {
-    double *times = calloc((size_t)frames, sizeof *times);
+    double *times = calloc(2 * (size_t)frames, sizeof *times), *busy = times + frames;
     glFinish();
     for (int k = 0; times && k < frames; k++) {
         double start = milliseconds();
+        clock_t processor = clock();
         renderer_draw(r, w, c);
         glFinish();
         times[k] = milliseconds() - start;
+        busy[k] = 1e3 * (double)(clock() - processor) / CLOCKS_PER_SEC;
     }
-    if (times) {
-        qsort(times, (size_t)frames, sizeof *times, by_size);
-        printf("host: %dx%d, median of %d frames: %.2f ms\n", r->picture.width, r->picture.height, frames,
-               times[frames / 2]);
-    }
+    if (times)
+        printf("host: %dx%d, medians of %d frames: %.1f ms, %.1f ms of processors\n", r->picture.width,
+               r->picture.height, frames, median(times, frames), median(busy, frames));
     free(times);
 }
 
