@@ -392,7 +392,7 @@ static inline bool ref_dyn_i_note_covers(ref_dyn_i_world *world, size_t count, i
         ref_dyn_i_cover made = {object, x, y, hits[i].depth, hits[i].slack, true, false};
         for (size_t j = 0; j < count; ++j) {
             uint32_t other = ref_dyn_i_object(world, &hits[j]);
-            if (other == object || !ref_i_nearer(&hits[j], &hits[i]))
+            if (!ref_i_nearer(&hits[j], &hits[i])) /* so nothing is hidden by itself */
                 continue;
             made.hidden = true;
             if (ref_dyn_i_closes(world, other))
@@ -662,10 +662,10 @@ static inline const ref_dyn_i_mask_pixel *ref_dyn_i_mask_at(const ref_dyn_i_mask
 
 /* ---- a pixel's picture ---- */
 
-/* Whether a mask acts on a layer at all. */
+/* Whether a mask acts on a layer at all. Never on its own target's, R4: none of these is before the nearest of them. */
 static inline bool ref_dyn_i_acts(const ref_dyn_i_world *world, uint32_t target, const ref_dyn_i_mask_pixel *mask,
                                   const ref_dyn_i_layer *layer) {
-    if (layer->object == target || ref_dyn_i_closes(world, layer->object)) /* R4, R3 */
+    if (ref_dyn_i_closes(world, layer->object)) /* R3 */
         return false;
     if (ref_dyn_i_is(world, layer->object, REF_DYN_TARGET) && !mask->own && !world->dynamic->whole_masks_cut_targets)
         return false;
