@@ -231,7 +231,7 @@ static void part_place(const house_plan *plan, size_t part, placing *p) {
 static bool add_house(battlefield *b, const house_plan *plan, const char *name, uint32_t group, double x, double y,
                       double turn) {
     static const char *const kinds[BUILDING_PARTS] = {"floor", "front", "back", "left", "right", "roof"};
-    double c = cos(turn), d = sin(turn), z = INFINITY;
+    double c = cos(turn), d = sin(turn), z = (double)INFINITY;
     for (int i = 0; i < 4; i++) {
         double u = (i % 2 ? 0.5 : -0.5) * plan->length, v = (i / 2 ? 0.5 : -0.5) * plan->width;
         z = fmin(z, land_height(x + c * u - d * v, y + d * u + c * v));
