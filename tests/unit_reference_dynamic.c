@@ -1040,6 +1040,18 @@ static void left_out(void **state) {
     free(s);
 }
 
+/* As many layers on both sides of a seam, but other ones. */
+static void left_out_along_seams(void **state) {
+    (void)state;
+    stage *s = new_stage();
+    add_sheet(s, add_object(s, 0), -2, -2, 0.02, 2, 0);
+    add_sheet(s, add_object(s, 0), 0.02, -2, 2, 2, 0);
+    render(s);
+    for (int x = 0; x < SIZE; ++x)
+        assert_int_equal(s->pixels[16 * SIZE + x].left_out, x == 16);
+    free(s);
+}
+
 static void refuses_nonsense(void **state) {
     (void)state;
     stage *s = new_stage();
@@ -1136,6 +1148,7 @@ int main(void) {
         cmocka_unit_test(order_of_arrays_does_not_matter),
         cmocka_unit_test(nothing_called_for_nothing_changed),
         cmocka_unit_test(left_out),
+        cmocka_unit_test(left_out_along_seams),
         cmocka_unit_test(refuses_nonsense),
         cmocka_unit_test(bad_numbers),
     };
