@@ -368,7 +368,8 @@ static inline size_t ref_dyn_i_depth_test(ref_dyn_i_world *world, size_t count) 
             hits[--kept] = hits[i];
             nearest = &hits[kept];
         }
-    memmove(hits, hits + kept, (count - kept) * sizeof *hits);
+    for (size_t i = kept; i < count; ++i)
+        hits[i - kept] = hits[i];
     return count - kept;
 }
 
@@ -878,9 +879,12 @@ static inline bool ref_dyn_render(const ref_dyn_scene *dynamic, ref_dyn_pixel *o
         return true;
     ref_dyn_i_world world = {.dynamic = dynamic, .rays = {.scene = scene}};
     world.first = calloc(pixels + 1, sizeof *world.first);
-    bool ok = world.first && ref_i_make_world(&world.rays) && ref_dyn_i_sort_objects(&world) &&
-              ref_dyn_i_gather_all(&world) && ref_dyn_i_make_masks(&world) &&
-              ref_dyn_i_render_all(&world, out, weights, census);
+    /* Room for one, so that a picture of nothing has arrays too. */
+    bool ok = world.first && ref_dyn_i_push(&world.layers, sizeof(ref_dyn_i_layer)) &&
+              ref_dyn_i_push(&world.covers, sizeof(ref_dyn_i_cover));
+    world.layers.count = world.covers.count = 0;
+    ok = ok && ref_i_make_world(&world.rays) && ref_dyn_i_sort_objects(&world) && ref_dyn_i_gather_all(&world) &&
+         ref_dyn_i_make_masks(&world) && ref_dyn_i_render_all(&world, out, weights, census);
     for (size_t i = 0; i < world.mask_count; ++i)
         free(world.masks[i].pixels);
     free(world.masks);
