@@ -231,7 +231,7 @@ static void part_place(const house_plan *plan, size_t part, placing *p) {
 static bool add_house(battlefield *b, const house_plan *plan, const char *name, uint32_t group, double x, double y,
                       double turn) {
     static const char *const kinds[BUILDING_PARTS] = {"floor", "front", "back", "left", "right", "roof"};
-    double c = cos(turn), d = sin(turn), z = INFINITY;
+    double c = cos(turn), d = sin(turn), z = (double)INFINITY;
     for (int i = 0; i < 4; i++) {
         double u = (i % 2 ? 0.5 : -0.5) * plan->length, v = (i / 2 ? 0.5 : -0.5) * plan->width;
         z = fmin(z, land_height(x + c * u - d * v, y + d * u + c * v));
@@ -391,11 +391,19 @@ static bool way_is_clear(const battlefield_unit *u, const claims *taken, double 
     return true;
 }
 
+/* How dense the forest is, 0 to 1: woods with glades, and none on the road. */
+static double forest_density(double x, double y) {
+    double woods = 0.55 + 0.5 * sin(0.041 * x + 0.9) * cos(0.047 * y - 0.4) + 0.25 * sin(0.09 * x + 0.06 * y);
+    return fmin(fmax((road_distance(x, y) - 3.6) / 2, 0), 1) * fmin(fmax(woods, 0.03), 1);
+}
+
 /* A way for one more unit; tanks drive larger rounds and keep farther apart. False: there is no room left. */
 static bool find_way(const battlefield *b, dice *d, const claims *taken, battlefield_unit *u, bool tank) {
-    for (int tries = 0; tries < 600; tries++) {
+    for (int tries = 0; tries < 4000; tries++) {
         u->x = dice_between(d, -0.44 * LAND, 0.44 * LAND);
         u->y = dice_between(d, -0.44 * LAND, 0.44 * LAND);
+        if (dice_between(d, 0, 1) > 0.2 + forest_density(u->x, u->y)) /* woods are for hiding in */
+            continue;
         u->a = tank ? dice_between(d, 9, 24) : dice_between(d, 4, 11);
         u->b = u->a * dice_between(d, 0.45, 0.9);
         u->tilt = dice_between(d, 0, 2 * PI);
@@ -483,12 +491,6 @@ static bool claim_ways(const battlefield *b, claims *taken) {
 }
 
 /* ---- what grows ------------------------------------------------------------------------------------------ */
-
-/* How dense the forest is, 0 to 1: woods with glades, and none on the road. */
-static double forest_density(double x, double y) {
-    double woods = 0.55 + 0.5 * sin(0.041 * x + 0.9) * cos(0.047 * y - 0.4) + 0.25 * sin(0.09 * x + 0.06 * y);
-    return fmin(fmax((road_distance(x, y) - 3.6) / 2, 0), 1) * fmin(fmax(woods, 0.03), 1);
-}
 
 typedef struct species {
     const char *name;
@@ -599,7 +601,7 @@ battlefield *battlefield_create_abstract(uint32_t seed) {
     enum { OBJECTS = 200, TARGETS = 30 };
     static const char *const kinds[4] = {"sphere", "cone", "box", "torus"};
     static const float red[3] = {0.84f, 0.28f, 0.24f};
-    const double size = 9, eye[3] = {150, -170, 110};
+    const double size = 9, eye[3] = {137, -155, 101};
     battlefield *b = new_battlefield();
     dice d = {seed ? seed : 1};
     if (!b)

@@ -43,7 +43,7 @@ typedef struct battlefield {
 /* Each returns NULL when out of memory. A desc may be NULL. As many of everything as find room are placed. */
 battlefield *battlefield_create(const battlefield_desc *desc);
 /* 6.1 of the paper: a cube of 100 with 200 spheres, cones, boxes and toruses, of which 30 are targets, in red. To be seen
- * from `eye` or anywhere as far from the middle. */
+ * from `eye` or anywhere as far from the middle: all of it is then in a view 45 degrees high and wide. */
 battlefield *battlefield_create_abstract(uint32_t seed);
 /* 6.2: rooms on a plan of 16 x 16 cells, each joined to all its neighbours by doors, with 100 objects, all targets. The
  * ceiling is hidden, so that plans can be drawn; walkers show it. */

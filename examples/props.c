@@ -857,15 +857,14 @@ size_t prop_shelf(scene *s, const char *name) {
 
 size_t prop_lamp(scene *s, const char *name) {
     static const double foot[4][2] = {{0.2, 0}, {0.2, 0.3}, {0.05, 0.8}, {0.02, 1}};
-    static const double shade[5][2] = {{0.27, 0}, {0.15, 1}, {0.14, 0.99}, {0.25, 0.03}, {0.27, 0}};
+    static const double shade[4][2] = {{0.27, 0}, {0.15, 1}, {0.14, 0.99}, {0.25, 0.03}};
     builder b = {0};
     const double low[3] = {0, 0, 0}, high[3] = {0, 0, 0.1}, from[3] = {0, 0, 1.35}, to[3] = {0, 0, 1.72};
     paint(&b, METAL);
     lathe(&b, low, high, foot, 4, 20);
     rod(&b, 0, 0, 0.05, 0, 0, 1.62, 0.018, 0.018, 8);
     paint(&b, SHADE);
-    lathe(&b, from, to, shade, 4, 20); /* a thick skirt, closed by its two rims and a floor above the bulb */
-    ball(&b, 0, 0, 1.5, 0.06, 0.06, 0.08, 3);
+    lathe(&b, from, to, shade, 4, 20); /* a skirt with a thin floor */
     return finish(&b, s, name);
 }
 

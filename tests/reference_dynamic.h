@@ -368,7 +368,8 @@ static inline size_t ref_dyn_i_depth_test(ref_dyn_i_world *world, size_t count) 
             hits[--kept] = hits[i];
             nearest = &hits[kept];
         }
-    memmove(hits, hits + kept, (count - kept) * sizeof *hits);
+    for (size_t i = kept; i < count; ++i)
+        hits[i - kept] = hits[i];
     return count - kept;
 }
 
@@ -392,7 +393,7 @@ static inline bool ref_dyn_i_note_covers(ref_dyn_i_world *world, size_t count, i
         ref_dyn_i_cover made = {object, x, y, hits[i].depth, hits[i].slack, true, false};
         for (size_t j = 0; j < count; ++j) {
             uint32_t other = ref_dyn_i_object(world, &hits[j]);
-            if (other == object || !ref_i_nearer(&hits[j], &hits[i]))
+            if (!ref_i_nearer(&hits[j], &hits[i])) /* so nothing is hidden by itself */
                 continue;
             made.hidden = true;
             if (ref_dyn_i_closes(world, other))
@@ -662,10 +663,10 @@ static inline const ref_dyn_i_mask_pixel *ref_dyn_i_mask_at(const ref_dyn_i_mask
 
 /* ---- a pixel's picture ---- */
 
-/* Whether a mask acts on a layer at all. */
+/* Whether a mask acts on a layer at all. Never on its own target's, R4: none of these is before the nearest of them. */
 static inline bool ref_dyn_i_acts(const ref_dyn_i_world *world, uint32_t target, const ref_dyn_i_mask_pixel *mask,
                                   const ref_dyn_i_layer *layer) {
-    if (layer->object == target || ref_dyn_i_closes(world, layer->object)) /* R4, R3 */
+    if (ref_dyn_i_closes(world, layer->object)) /* R3 */
         return false;
     if (ref_dyn_i_is(world, layer->object, REF_DYN_TARGET) && !mask->own && !world->dynamic->whole_masks_cut_targets)
         return false;
@@ -878,9 +879,12 @@ static inline bool ref_dyn_render(const ref_dyn_scene *dynamic, ref_dyn_pixel *o
         return true;
     ref_dyn_i_world world = {.dynamic = dynamic, .rays = {.scene = scene}};
     world.first = calloc(pixels + 1, sizeof *world.first);
-    bool ok = world.first && ref_i_make_world(&world.rays) && ref_dyn_i_sort_objects(&world) &&
-              ref_dyn_i_gather_all(&world) && ref_dyn_i_make_masks(&world) &&
-              ref_dyn_i_render_all(&world, out, weights, census);
+    /* Room for one, so that a picture of nothing has arrays too. */
+    bool ok = world.first && ref_dyn_i_push(&world.layers, sizeof(ref_dyn_i_layer)) &&
+              ref_dyn_i_push(&world.covers, sizeof(ref_dyn_i_cover));
+    world.layers.count = world.covers.count = 0;
+    ok = ok && ref_i_make_world(&world.rays) && ref_dyn_i_sort_objects(&world) && ref_dyn_i_gather_all(&world) &&
+         ref_dyn_i_make_masks(&world) && ref_dyn_i_render_all(&world, out, weights, census);
     for (size_t i = 0; i < world.mask_count; ++i)
         free(world.masks[i].pixels);
     free(world.masks);

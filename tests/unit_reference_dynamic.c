@@ -191,6 +191,10 @@ static void lights(void **state) {
     near_to(ref_dyn_light_at(&d, 0, 14), 0);
     near_to(ref_dyn_light_at(&d, 15, 0), 1); /* the rim of the hard one, outside of the soft one */
     near_to(ref_dyn_light_at(&d, 14.5, 0), 0);
+    const ref_dyn_light crossing[3] = {{0, 0, 10, 4}, {24, 0, 10, 8}, {0, 99, 1, 1}};
+    d.lights = crossing; /* 1/2 of one, 3/4 of the other, none of the third: the strongest counts */
+    d.light_count = 3;
+    near_to(ref_dyn_light_at(&d, 12, 0), 0.75);
     d.light_count = 0;
     near_to(ref_dyn_light_at(&d, 0, 0), 0);
 }
@@ -270,6 +274,22 @@ static void a_mask_leaves_what_is_behind(void **state) {
     EXPECT(s, 16, 16, 1, 0);
     EXPECT(s, 20, 16, 0, 1);
     free(s);
+}
+
+/* Pixel 16 is as near to 15, behind the wall, as to 17, before it: the mask has the depth nearest to the eye. */
+static void the_nearer_of_equally_near_pixels(void **state) {
+    (void)state;
+    for (int swap = 0; swap < 2; ++swap) {
+        stage *s = new_stage();
+        size_t t = add_object(s, TARGET);
+        add_sheet(s, t, -0.5, -0.5, 0, 0.5, swap ? 2 : 0);
+        add_sheet(s, t, 0.125, -0.5, 0.625, 0.5, swap ? 0 : 2);
+        wall(s, 0, 1);
+        render(s);
+        EXPECT(s, 16, 16, 0, 1);
+        EXPECT(s, swap ? 17 : 15, 16, 0.7, 0.3);
+        free(s);
+    }
 }
 
 /* An L of pixels 12 to 19 along x and 12 to 15 along y, and 12 to 15 along x up to y = 19. */
@@ -483,6 +503,7 @@ static void r4_targets_hide_themselves(void **state) {
         double a = 1 - sqrt(0.7);
         EXPECT(s, 17, 16, 0.7, 0.3, 0);
         EXPECT(s, 14, 16, 0.7, a, (1 - a) * a);
+        assert_int_equal(s->census[0].pixels, 64);
         free(s);
     }
 }
@@ -701,6 +722,21 @@ static void object_centres_cut_what_is_behind(void **state) {
     free(s);
 }
 
+/* Backdrops come first even where their middle is nearest: what is cut shows them. */
+static void object_centres_paint_backdrops_first(void **state) {
+    (void)state;
+    stage *s = new_stage();
+    square(s, TARGET, 0);
+    wall(s, 0, 1);
+    size_t o = wall(s, BACKDROP, -1);
+    add_sheet(s, o, 2.5, -2, 3, 2, 3.9); /* out of the window; the middle is at 1.45 */
+    s->dynamic.order = REF_DYN_OBJECT_CENTRES;
+    render(s);
+    EXPECT(s, 16, 16, 0.7, 0.3, 0);
+    EXPECT(s, 20, 16, 0, 0.1, 0.9);
+    free(s);
+}
+
 /* Three dolls with one middle, the innermost a target. Without a group they are painted by id, the highest first. */
 static void nested_dolls(void **state) {
     (void)state;
@@ -751,6 +787,7 @@ static void coincident_layers(void **state) {
     render(s);
     EXPECT(s, 16, 16, 0, 0, 1);
     EXPECT(s, 4, 16, 1, 0, 0);
+    EXPECT(s, 20, 16, 1, 0, 0); /* beside it, what has its depth is not cut */
     s->objects[0].group = s->objects[1].group = 3;
     s->objects[1].rank = 1;
     s->objects[t].flags = 0;
@@ -1003,6 +1040,18 @@ static void left_out(void **state) {
     free(s);
 }
 
+/* As many layers on both sides of a seam, but other ones. */
+static void left_out_along_seams(void **state) {
+    (void)state;
+    stage *s = new_stage();
+    add_sheet(s, add_object(s, 0), -2, -2, 0.02, 2, 0);
+    add_sheet(s, add_object(s, 0), 0.02, -2, 2, 2, 0);
+    render(s);
+    for (int x = 0; x < SIZE; ++x)
+        assert_int_equal(s->pixels[16 * SIZE + x].left_out, x == 16);
+    free(s);
+}
+
 static void refuses_nonsense(void **state) {
     (void)state;
     stage *s = new_stage();
@@ -1030,7 +1079,7 @@ static void refuses_nonsense(void **state) {
 /* Importances that are no number yield nothing, points behind the eye enclose nothing, NaN vertices are not seen. */
 static void bad_numbers(void **state) {
     (void)state;
-    static const double behind[1][3] = {{0, 0, 20}};
+    static const double behind[1][3] = {{1, 0, 20}};
     stage *s = new_stage();
     square(s, TARGET, 0);
     wall(s, 0, 1);
@@ -1047,6 +1096,7 @@ static void bad_numbers(void **state) {
     s->scene.projection[11] = -0.125; /* w = 1 - z / 8: z = 20 has w < 0 */
     render(s);
     EXPECT(s, 16, 16, 0.7, 0.3);
+    EXPECT(s, 20, 16, 0, 0.3); /* in the circle around the pixels themselves */
     EXPECT(s, 0, 16, 0, 1);
     s->solids[1].positions[2] = NAN;
     render(s);
@@ -1063,6 +1113,7 @@ int main(void) {
         cmocka_unit_test(rings_of_eight_neighbours),
         cmocka_unit_test(no_gradient),
         cmocka_unit_test(a_mask_leaves_what_is_behind),
+        cmocka_unit_test(the_nearer_of_equally_near_pixels),
         cmocka_unit_test(convex_hull),
         cmocka_unit_test(circle),
         cmocka_unit_test(ellipse),
@@ -1085,6 +1136,7 @@ int main(void) {
         cmocka_unit_test(fading),
         cmocka_unit_test(object_centres_miss_what_depth_sees),
         cmocka_unit_test(object_centres_cut_what_is_behind),
+        cmocka_unit_test(object_centres_paint_backdrops_first),
         cmocka_unit_test(nested_dolls),
         cmocka_unit_test(groups_are_painted_as_one),
         cmocka_unit_test(coincident_layers),
@@ -1096,6 +1148,7 @@ int main(void) {
         cmocka_unit_test(order_of_arrays_does_not_matter),
         cmocka_unit_test(nothing_called_for_nothing_changed),
         cmocka_unit_test(left_out),
+        cmocka_unit_test(left_out_along_seams),
         cmocka_unit_test(refuses_nonsense),
         cmocka_unit_test(bad_numbers),
     };
