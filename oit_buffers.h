@@ -2810,6 +2810,8 @@ static oit_result oit_i_prepare(oit_context *oit) {
     oit_result result = oit_i_make_programs(oit);
     if (result == OIT_OK && !oit->vertex_array)
         oit->gl.gl_GenVertexArrays(1, &oit->vertex_array);
+    if (result == OIT_OK && !oit->vertex_array)
+        result = oit_i_fail(&oit->desc, OIT_OUT_OF_MEMORY, "oit_begin", "no vertex array");
     if (result == OIT_OK)
         result = oit_i_make_buffers(oit);
     if (result == OIT_OK && news && oit->desc.fit == OIT_FIT_ASYNC && oit_i_capacity_is_wrong(oit, oit->report.needed))
