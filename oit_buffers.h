@@ -1608,9 +1608,15 @@ static oit_result oit_i_check_functions(oit_context *oit) {
     } else {
         OIT_I_GL_DESKTOP(OIT_I_CHECK)
     }
-    oit->has_indexed = !oit->info.es || oit->info.version >= 320;
-    if (oit->has_indexed) {
+    oit->has_indexed = 1;
+    if (!oit->info.es) {
         OIT_I_GL_INDEXED(OIT_I_CHECK)
+    } else { /* from 3.2 on, and where the host's headers know of it */
+#define OIT_I_FIND(type, name, parameters)                                                                             \
+    if (!gl->gl_##name || oit->info.version < 320)                                                                     \
+        oit->has_indexed = 0;
+        OIT_I_GL_INDEXED(OIT_I_FIND)
+#undef OIT_I_FIND
     }
     return result;
 }
