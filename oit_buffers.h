@@ -1,48 +1,69 @@
-/* oit_buffers.h - v0.1.0 - what fragment buffers need of an OpenGL context, found out and said - MIT licence, at the end
+/* oit_buffers.h - v0.2.0 - every fragment of every pixel: exact order-independent transparency - MIT licence, at the end
 
    DOES
-   - tells whether the current context has what buffers that keep every fragment of every pixel need: OpenGL 4.3 or
-     OpenGL ES 3.1, the functions, the limits. A refusal says what is missing and what was found
-   - says what else the context has: its version, the size of storage blocks, image atomics
+   - keeps every fragment of every pixel in a buffer on the GPU, sorts each pixel's fragments and composes them front to
+     back over what the host has drawn: exact transparency for any number of layers, without sorting a triangle
+   - gives the same bits in whatever order things are drawn, and every time: fragments are ordered by depth, then by part
+     and key where those are chosen, then by all else that they carry
+   - loses nothing: with OIT_FIT_WAIT the buffer is made to fit, and over its ceiling the picture is drawn in bands. With
+     OIT_FIT_ASYNC it never waits for the GPU: pixels that do not fit for a frame are composed from sums that do not
+     depend on the order either, are counted, and fit in the frames after
+   - blends by fragment: over, additive, multiply
+   - works with the host's own shaders through one function call, and has shaders for hosts that have none
+   - leaves the GL state as found, or tells the host which state each pass wants
 
    DOES NOT
-   - store, sort or blend a single fragment. Version 0.1 has no stores, no operators and no shaders: the buffers
-     themselves come with a later version, and the calls of this one will stay. To draw transparent things today,
-     use transparency.h, which needs only OpenGL 3.3, OpenGL ES 3.0 or WebGL 2
    - create a context, or run where there are no compute shaders: macOS and WebGL 2 stay with transparency.h
+   - draw into multisampled targets: oit_begin returns OIT_TARGET_MULTISAMPLED
+   - keep the k nearest fragments only, or fill in one geometry pass: version 0.2 has the exact store, two geometry passes
+   - find neighbours along surfaces, pick through layers or write a depth of the composite
 
-   QUICK START: given a current context and its getter of function pointers
+   QUICK START, given a current context and its getter of function pointers
 
     --8<-- quick start
     #define OIT_BUFFERS_IMPLEMENTATION
     #include "oit_buffers.h"
+    #include <string.h>
 
-    extern oit_proc get_proc(const char *name); // eglGetProcAddress, glfwGetProcAddress, ...
-    extern void show_line(const char *text);
+    extern oit_proc get_proc(const char *name);                      // eglGetProcAddress, glfwGetProcAddress, ...
+    extern void draw_my_mesh(int index);                             // binds a vertex array, calls glDrawElements
+    extern void my_matrices(int index, float mvp[16], float normal_matrix[9]);
 
-    static void on_log(oit_log_level level, oit_result code, const char *text, void *user) {
-        (void)level;
-        (void)code;
-        (void)user;
-        show_line(text);
+    oit_context *start(void) {
+        oit_desc desc = {0};
+        desc.get_proc = get_proc;
+        return oit_create(&desc, 0);
     }
 
-    int64_t largest_fragment_buffer(void) { // in bytes, 0 where there can be none
-        oit_desc desc = {0};
-        oit_context *oit;
-        int64_t bytes = 0;
-        desc.get_proc = get_proc;
-        desc.log_fn = on_log;
-        oit = oit_create(&desc, 0);
-        if (oit) bytes = oit_get_info(oit).storage_block_bytes;
-        oit_destroy(oit);
-        return bytes;
+    oit_result draw_glass(oit_context *oit, int width, int height) { // over what the default framebuffer holds
+        oit_frame frame = {0};
+        oit_pass pass;
+        oit_result result;
+        int i;
+        frame.width = width;
+        frame.height = height;
+        frame.light[1] = frame.light[2] = 1.0f;
+        result = oit_begin(oit, &frame);
+        if (result != OIT_OK) return result;
+        while (oit_next_pass(oit, &pass))
+            for (i = 0; i < 2; ++i) {
+                oit_material material;
+                memset(&material, 0, sizeof material);
+                my_matrices(i, material.model_view_projection, material.normal_matrix);
+                material.color[0] = material.color[1] = material.color[2] = 0.7f;
+                material.color[3] = 0.5f;
+                oit_set_material(oit, &pass, &material);
+                draw_my_mesh(i);
+            }
+        oit_compose(oit);
+        return oit_end(oit);
     }
     -->8--
 
    BUILD
    Define OIT_BUFFERS_IMPLEMENTATION in one C (C99) or C++ (C++11) file before including this header; include it anywhere
-   else without. Link nothing but your GL loader; oit_* functions call GL through the table that desc.get_proc fills.
+   else without. Link nothing but your GL loader; oit_* functions call GL through the table that desc.get_proc fills. On
+   Windows wglGetProcAddress does not know the functions of GL 1.1: give a getter that asks opengl32.dll as well.
 
    OPTIONS, defined before the implementation unless said otherwise
    - OIT_STATIC            every function static; define it wherever the header is included
@@ -53,28 +74,57 @@
    GL FLOOR
    OpenGL 4.3 core or OpenGL ES 3.1, and of the limits at least (ES 3.1 lets a driver have no storage block in the
    fragment stage, so the version alone does not tell):
-   - GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS 2: one with a word for each pixel, one for the fragments
+   - GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS 2: the pixels and the fragments
    - GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS 4 and GL_MAX_COMPUTE_WORK_GROUP_INVOCATIONS 128, for the prefix sum
    - GL_MAX_COMBINED_SHADER_OUTPUT_RESOURCES 4: those two blocks and colour outputs
    - GL_MAX_SHADER_STORAGE_BLOCK_SIZE 2^24 bytes
-   Image atomics are reported, not required. A function pointer that is not null proves nothing (drivers hand out
-   stubs): versions and extensions decide, and then the functions must be there as well.
+   A function pointer that is not null proves nothing (drivers hand out stubs): versions and extensions decide, and then
+   the functions must be there as well. A refusal says what is missing and what was found.
 
    GL STATE CONTRACT
-   oit_create only asks (glGetString, glGetStringi, glGetIntegerv, glGetInteger64v): no state is changed and no object
-   is made. glGetError is never called, so that no error of the host's is swallowed, and nothing is asked that a context
-   of that version does not know, so that none is added.
+   oit_create only asks: no state is changed and no object is made. Between oit_begin and oit_end the header owns the state
+   of the context; the host draws its transparent objects with what each pass has set. The target's own depth, written
+   before by the host, hides fragments; it is tested and never written. Culling is off, because both sides of a surface
+   are layers: a host that wants otherwise switches it on after oit_next_pass. desc.state says what happens around that:
+   - OIT_STATE_RESTORE         all that a frame changed is as it was after oit_end (the list is oit_i_snapshot)
+   - OIT_STATE_LEAVE_DEFAULTS  that state has the values of a fresh context, framebuffer 0
+   - OIT_STATE_LEAVE_DIRTY     it is whatever the last pass needed
+   - OIT_STATE_NONE            no state call is made between oit_begin and oit_end, but for memory barriers and the fence:
+                               pass.state holds what the host sets, and the passes that are not the host's (those with
+                               groups or a vertex_count) come to it as well. It needs OIT_FIT_ASYNC
+   Not touched, and expected to be at rest: conditional rendering, transform feedback, sample shading, clip control's
+   origin. The alpha channel of the target is not written, and of several draw buffers only the first; ES before 3.2 has
+   no mask by buffer: give it a framebuffer with one. glGetError is never called. Where memory runs out, GL_OUT_OF_MEMORY
+   is left for the host to find; the header itself goes by the size that the buffer has.
 
    ERRORS, MEMORY, THREADS
-   oit_create returns NULL and the reason, and says it in words through desc.log_fn. One heap block a context, none after
-   a refusal. One context of ours for one GL context, used from the thread that has it current; oit_get_info and
-   oit_destroy call no GL and may be used from any one thread at a time.
+   Every function that can fail returns an oit_result and logs through desc.log_fn. Where something fails between oit_begin
+   and oit_end, oit_next_pass returns 0 and oit_compose and oit_end return the reason; oit_end restores the state even so,
+   and the next frame may be tried. One heap block a context, and one more for the time that a shader is made. On the GPU:
+   8 bytes a pixel (24 with OIT_FIT_ASYNC), and oit_get_info().fragment_bytes a fragment, a quarter more of them than the
+   last frame needed. One context of ours for one GL context, used from the thread that has it current.
 
    RECIPES
-   - Try a fall-back: desc.max_gl_version = 330 refuses as on a context of OpenGL 3.3.
+   - Your own shaders: prepend the strings of oit_glsl() to a vertex and a fragment shader (which then begins without
+     #version; #extension lines go between the first string and the second) and call, in the fragment main,
+     oit_store(color), or fill an oit_fragment (color; part, key, blend, normal, uv, words where chosen) and call
+     oit_store(fragment). One program with OIT_PASS_COUNT, one with OIT_PASS_FILL. Both must cover the same fragments: the
+     same gl_Position (it is invariant) and the same discards. The depth test comes before the shader: gl_FragDepth has
+     no effect. Bindings are in the text, nothing has to be set. The program must have no other colour output.
+   - Particles and tinted glass: OIT_FIELD_BLEND, and fragment.blend = OIT_BLEND_ADD or OIT_BLEND_MULTIPLY.
+   - A stable order where surfaces coincide: OIT_FIELD_PART with the object's number.
+   - What a frame needed: oit_get_report. In games look at lost_pixels now and then.
 
    LIMITS AND PRECISION
-   - Versions are read from the GL_VERSION string, which the specifications lay down.
+   - Depths are gl_FragCoord.z in 32 bits: layers are told apart down to one unit in the last place.
+   - A fragment at the very depth of the host's opaque surface is hidden.
+   - Colours: see oit_color. Into a target of 8 bits the picture is within 1/255 of the exact one, into one of floats
+     within 10^-5 with OIT_COLOR_FLOAT. Infinities and NaN in a colour become 0, alpha is cut to [0,1].
+   - Layers behind a transmittance below 2^-24 are left out.
+   - The tail takes colours up to 4, takes all layers of a pixel as evenly mixed, and is exact where they have one colour.
+   - Mesa's software driver ends a shader's loops after 65,535 rounds: pixels of more than about 1,400 fragments lose some
+     there.
+   - Image size: what GL_MAX_VIEWPORT_DIMS and storage blocks of one row allow. A viewport of no area is no error.
 */
 #ifndef OIT_BUFFERS_H
 #define OIT_BUFFERS_H
@@ -1558,9 +1608,15 @@ static oit_result oit_i_check_functions(oit_context *oit) {
     } else {
         OIT_I_GL_DESKTOP(OIT_I_CHECK)
     }
-    oit->has_indexed = !oit->info.es || oit->info.version >= 320;
-    if (oit->has_indexed) {
+    oit->has_indexed = 1;
+    if (!oit->info.es) {
         OIT_I_GL_INDEXED(OIT_I_CHECK)
+    } else { /* from 3.2 on, and where the host's headers know of it */
+#define OIT_I_FIND(type, name, parameters)                                                                             \
+    if (!gl->gl_##name || oit->info.version < 320)                                                                     \
+        oit->has_indexed = 0;
+        OIT_I_GL_INDEXED(OIT_I_FIND)
+#undef OIT_I_FIND
     }
     return result;
 }
@@ -2810,6 +2866,8 @@ static oit_result oit_i_prepare(oit_context *oit) {
     oit_result result = oit_i_make_programs(oit);
     if (result == OIT_OK && !oit->vertex_array)
         oit->gl.gl_GenVertexArrays(1, &oit->vertex_array);
+    if (result == OIT_OK && !oit->vertex_array)
+        result = oit_i_fail(&oit->desc, OIT_OUT_OF_MEMORY, "oit_begin", "no vertex array");
     if (result == OIT_OK)
         result = oit_i_make_buffers(oit);
     if (result == OIT_OK && news && oit->desc.fit == OIT_FIT_ASYNC && oit_i_capacity_is_wrong(oit, oit->report.needed))
@@ -3071,7 +3129,7 @@ static oit_result oit_i_next_part(oit_context *oit, int first) {
 
 /* OIT_FIT_WAIT: how much the slab needs is read, and the pool made to hold it if that may be. */
 static oit_result oit_i_measure(oit_context *oit) {
-    oit_i_u totals[6];
+    oit_i_u totals[6] = {0, 0, 0, 0, 0, 0};
     int32_t bound = oit_i_borrow_target(oit);
     oit_result result = OIT_OK;
     oit->gl.gl_MemoryBarrier(OIT_I_GL_BUFFER_UPDATE_BARRIER);

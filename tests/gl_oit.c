@@ -72,7 +72,7 @@ static void close_setting(setting *t) {
 
 /* Background, and opaque objects with depth. */
 static void clear_target(setting *t, oit_scene *s) {
-    float depth = 1;
+    float depth = s->reversed ? 0 : 1;
     glBindFramebuffer(GL_FRAMEBUFFER, t->framebuffer);
     glViewport(0, 0, t->width, t->height);
     glClearColor((float)s->scene.background[0], (float)s->scene.background[1], (float)s->scene.background[2], 1);
@@ -80,8 +80,10 @@ static void clear_target(setting *t, oit_scene *s) {
     glDepthMask(GL_TRUE);
     glClearBufferfv(GL_DEPTH, 0, &depth);
     glEnable(GL_DEPTH_TEST);
+    glDepthFunc(s->reversed ? GL_GREATER : GL_LESS);
     oit_scene_draw_plain(s, t->h.context.es, false);
     glDisable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LESS);
 }
 
 /* Four floats a pixel, bottom row first. */
@@ -106,6 +108,12 @@ static float *draw(setting *t, oit_scene *s, const size_t *order) {
     clear_target(t, s);
     oit_scene_render(s, t->oit, &frame, order);
     return read_picture(t);
+}
+
+static uint32_t float_bits(float x) {
+    uint32_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    return bits;
 }
 
 /* ---- comparison ---- */
@@ -503,13 +511,355 @@ static void test_background_weight(void **state) {
     free(s);
 }
 
-/* ---- hard cases ---- */
-
-static uint32_t float_bits(float x) {
-    uint32_t bits;
-    memcpy(&bits, &x, sizeof bits);
-    return bits;
+static void test_reversed_depth(void **state) {
+    (void)state;
+    oit_desc desc = {.color = OIT_COLOR_FLOAT, .reversed_z = 1};
+    oit_scene *s = malloc(sizeof *s);
+    setting t;
+    open_setting(&t, false, 128, 128, GL_RGBA32F, desc);
+    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+    oit_scene_init(s, 128, 128);
+    oit_scene_random_balls(s, 6, 16, 0.4);
+    s->truths[2].transparent = false;
+    s->reversed = true;
+    check(&t, s, "reversed depth", 1e-5);
+    oit_scene_drop(s);
+    glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
+    close_setting(&t);
+    free(s);
 }
+
+/* A viewport that is not at the origin; what is outside of it stays, and so does the target's alpha. */
+static void test_viewport_with_an_offset(void **state) {
+    (void)state;
+    oit_desc desc = {.color = OIT_COLOR_FLOAT};
+    oit_scene *s = malloc(sizeof *s);
+    oit_truth *truth = malloc(24 * 16 * sizeof *truth);
+    setting t;
+    open_setting(&t, false, 40, 40, GL_RGBA32F, desc);
+    oit_scene_init(s, 24, 16);
+    oit_scene_sheets(s, 9, 0.2, false);
+    oit_truth_render(s, truth);
+    oit_frame frame = oit_scene_frame(s, t.framebuffer);
+    frame.x = 7;
+    frame.y = 11;
+    clear_target(&t, s);
+    oit_scene_render(s, t.oit, &frame, NULL);
+    float *picture = read_picture(&t);
+    for (int y = 0; y < 40; ++y)
+        for (int x = 0; x < 40; ++x) {
+            const float *pixel = picture + 4 * (40 * y + x);
+            bool inside = x >= 7 && x < 31 && y >= 11 && y < 27;
+            const double white[3] = {1, 1, 1}, *expected = inside ? truth[24 * (y - 11) + x - 7].color : white;
+            for (int c = 0; c < 3; ++c)
+                assert_true(fabs((double)pixel[c] - expected[c]) < 1e-5);
+            assert_true(pixel[3] == 1.0f);
+        }
+    free(picture);
+    free(truth);
+    oit_scene_drop(s);
+    close_setting(&t);
+    free(s);
+}
+
+/* ---- the host's own shaders ---- */
+
+static GLuint host_program(const oit_context *oit, oit_pass_kind kind) {
+    static const char *const own[2] = {
+        "layout(location = 0) in vec2 corner;\nuniform float z;\n"
+        "void main() { gl_Position = vec4(corner, z, 1.0); }\n",
+        "uniform vec4 color;\nuniform uint number;\n"
+        "void main() {\n"
+        "    if ((int(gl_FragCoord.x) + int(gl_FragCoord.y)) % 2 == 1)\n        discard;\n"
+        "    oit_fragment f;\n    f.color = color;\n    f.part = number;\n    f.normal = vec3(0.0, 0.6, -0.8);\n"
+        "    f.uv = vec2(0.5, 3.0);\n    f.words[0] = number * 7u;\n    f.words[1] = 9u;\n    oit_store(f);\n}\n"};
+    static const GLenum types[2] = {GL_VERTEX_SHADER, GL_FRAGMENT_SHADER};
+    GLuint program = glCreateProgram();
+    GLint ok = 0;
+    for (int stage = 0; stage < 2; ++stage) {
+        const char *strings[32];
+        char log[2048] = "";
+        int count = 0;
+        const char *const *ours = oit_glsl(oit, (oit_stage)stage, kind, &count);
+        assert_non_null(ours);
+        memcpy(strings, ours, (size_t)count * sizeof *strings);
+        strings[count] = own[stage];
+        GLuint shader = glCreateShader(types[stage]);
+        glShaderSource(shader, count + 1, strings, NULL);
+        glCompileShader(shader);
+        glGetShaderiv(shader, GL_COMPILE_STATUS, &ok);
+        glGetShaderInfoLog(shader, sizeof log, NULL, log);
+        if (!ok)
+            fail_msg("%s", log);
+        glAttachShader(program, shader);
+        glDeleteShader(shader);
+    }
+    glLinkProgram(program);
+    glGetProgramiv(program, GL_LINK_STATUS, &ok);
+    assert_true(ok);
+    return program;
+}
+
+/* Two sheets with holes, drawn by the host's programs; every word of the records as it was given. */
+static void check_host_shaders(bool es) {
+    static const float corners[6] = {-1, -1, 3, -1, -1, 3};
+    oit_desc desc = {
+        .color = OIT_COLOR_FLOAT, .fields = OIT_FIELD_PART | OIT_FIELD_NORMAL | OIT_FIELD_UV, .host_words = 2};
+    GLuint array, buffer, programs[2];
+    setting t;
+    oit_pass pass;
+    open_setting(&t, es, 8, 8, GL_RGBA16F, desc);
+    glGenVertexArrays(1, &array);
+    glBindVertexArray(array);
+    glGenBuffers(1, &buffer);
+    glBindBuffer(GL_ARRAY_BUFFER, buffer);
+    glBufferData(GL_ARRAY_BUFFER, sizeof corners, corners, GL_STATIC_DRAW);
+    glEnableVertexAttribArray(0);
+    glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, NULL);
+    programs[0] = host_program(t.oit, OIT_PASS_COUNT);
+    programs[1] = host_program(t.oit, OIT_PASS_FILL);
+    oit_frame frame = {.framebuffer = t.framebuffer, .width = 8, .height = 8};
+    glBindFramebuffer(GL_FRAMEBUFFER, t.framebuffer);
+    glClearColor(0, 0, 0, 1);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    oit_scene_expect(oit_begin(t.oit, &frame), "oit_begin");
+    while (oit_next_pass(t.oit, &pass)) {
+        GLuint program = programs[pass.kind == OIT_PASS_FILL];
+        glUseProgram(program);
+        for (int i = 0; i < 2; ++i) {
+            glUniform1f(glGetUniformLocation(program, "z"), i ? -0.5f : 0.5f);
+            glUniform4f(glGetUniformLocation(program, "color"), i ? 1.0f : 0, i ? 0 : 1.0f, 0, 0.5f);
+            glUniform1ui(glGetUniformLocation(program, "number"), (GLuint)(5 + i));
+            glDrawArrays(GL_TRIANGLES, 0, 3);
+        }
+    }
+    oit_scene_expect(oit_compose(t.oit), "oit_compose");
+    oit_scene_expect(oit_end(t.oit), "oit_end");
+    float *picture = read_picture(&t);
+    for (int i = 0; i < 64; ++i) { /* 0.5 red over 0.25 green, or a hole */
+        bool hole = (i % 8 + i / 8) % 2 == 1;
+        assert_true(fabs((double)picture[4 * i] - (hole ? 0 : 0.5)) < 1e-3);
+        assert_true(fabs((double)picture[4 * i + 1] - (hole ? 0 : 0.25)) < 1e-3);
+    }
+    free(picture);
+    assert_int_equal(oit_get_info(t.oit).fragment_bytes, 48);
+    glBindBuffer(GL_COPY_READ_BUFFER, t.oit->buffers[OIT_I_FRAGMENTS]);
+    const uint32_t *record = glMapBufferRange(GL_COPY_READ_BUFFER, 0, 64 * 48, GL_MAP_READ_BIT);
+    for (int i = 0; i < 64; ++i, record += 12) { /* 32 pixels of two */
+        uint32_t part = record[1];
+        assert_true(part == 5 || part == 6);
+        assert_int_equal(record[0], float_bits(part == 5 ? 0.75f : 0.25f));
+        assert_int_equal(record[2], float_bits(part == 6 ? 1.0f : 0));
+        assert_int_equal(record[5], float_bits(0.5f));
+        /* (0, 0.6, -0.8) folds to (1 - 0.6 / 1.4, 1 - 0) */
+        assert_true(abs((int)(record[6] & 0xffffu) - (int)(32767.0 * (1 - 0.6 / 1.4))) <= 1);
+        assert_int_equal(record[6] >> 16, 32767);
+        assert_int_equal(record[7], float_bits(0.5f));
+        assert_int_equal(record[8], float_bits(3.0f));
+        assert_int_equal(record[9], part * 7);
+        assert_int_equal(record[10], 9);
+    }
+    glUnmapBuffer(GL_COPY_READ_BUFFER);
+    glDeleteProgram(programs[0]);
+    glDeleteProgram(programs[1]);
+    glBindVertexArray(0);
+    glDeleteVertexArrays(1, &array);
+    glDeleteBuffers(1, &buffer);
+    close_setting(&t);
+}
+
+static void test_host_shaders(void **state) {
+    (void)state;
+    check_host_shaders(false);
+    check_host_shaders(true);
+}
+
+/* ---- state ---- */
+
+typedef struct gl_state {
+    GLint numbers[40], bindings[16];
+    GLint64 ranges[8];
+    GLboolean switches[24], masks[8][4];
+    GLfloat floats[8];
+} gl_state;
+
+static gl_state take_state(void) {
+    static const GLenum numbers[] = {GL_CURRENT_PROGRAM,
+                                     GL_VERTEX_ARRAY_BINDING,
+                                     GL_DRAW_FRAMEBUFFER_BINDING,
+                                     GL_READ_FRAMEBUFFER_BINDING,
+                                     GL_DEPTH_FUNC,
+                                     GL_COPY_WRITE_BUFFER,
+                                     GL_COPY_READ_BUFFER_BINDING,
+                                     GL_UNIFORM_BUFFER_BINDING,
+                                     GL_BLEND_SRC_RGB,
+                                     GL_BLEND_DST_RGB,
+                                     GL_BLEND_SRC_ALPHA,
+                                     GL_BLEND_DST_ALPHA,
+                                     GL_BLEND_EQUATION_RGB,
+                                     GL_BLEND_EQUATION_ALPHA,
+                                     GL_SHADER_STORAGE_BUFFER_BINDING,
+                                     GL_ACTIVE_TEXTURE,
+                                     GL_CULL_FACE_MODE,
+                                     GL_FRONT_FACE};
+    static const GLenum switches[] = {GL_DEPTH_TEST,
+                                      GL_STENCIL_TEST,
+                                      GL_SCISSOR_TEST,
+                                      GL_CULL_FACE,
+                                      GL_DITHER,
+                                      GL_POLYGON_OFFSET_FILL,
+                                      GL_POLYGON_OFFSET_LINE,
+                                      GL_SAMPLE_ALPHA_TO_COVERAGE,
+                                      GL_SAMPLE_COVERAGE,
+                                      GL_SAMPLE_MASK,
+                                      GL_COLOR_LOGIC_OP,
+                                      GL_DEPTH_CLAMP,
+                                      GL_CLIP_DISTANCE0,
+                                      GL_CLIP_DISTANCE0 + 3,
+                                      GL_BLEND};
+    gl_state out;
+    memset(&out, 0, sizeof out);
+    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; ++i)
+        glGetIntegerv(numbers[i], &out.numbers[i]);
+    glGetIntegerv(GL_VIEWPORT, out.numbers + 20);
+    glGetIntegerv(GL_SCISSOR_BOX, out.numbers + 24);
+    glGetIntegerv(GL_POLYGON_MODE, out.numbers + 28);
+    for (size_t i = 0; i < sizeof switches / sizeof switches[0]; ++i)
+        out.switches[i] = glIsEnabled(switches[i]);
+    out.switches[20] = glIsEnabledi(GL_BLEND, 1);
+    out.switches[21] = glIsEnabledi(GL_SCISSOR_TEST, 2);
+    glGetBooleanv(GL_DEPTH_WRITEMASK, &out.switches[22]);
+    for (GLuint i = 0; i < 8; ++i)
+        glGetBooleani_v(GL_COLOR_WRITEMASK, i, out.masks[i]);
+    for (GLuint i = 0; i < 4; ++i) {
+        glGetIntegeri_v(GL_SHADER_STORAGE_BUFFER_BINDING, i, &out.bindings[i]);
+        glGetInteger64i_v(GL_SHADER_STORAGE_BUFFER_START, i, &out.ranges[i]);
+    }
+    glGetIntegeri_v(GL_UNIFORM_BUFFER_BINDING, 14, &out.bindings[4]);
+    glGetInteger64i_v(GL_UNIFORM_BUFFER_START, 14, &out.ranges[4]);
+    glGetInteger64i_v(GL_UNIFORM_BUFFER_SIZE, 14, &out.ranges[5]);
+    glGetIntegeri_v(GL_BLEND_SRC_RGB, 1, &out.bindings[5]);
+    glGetFloatv(GL_DEPTH_RANGE, out.floats);
+    glGetFloati_v(GL_VIEWPORT, 2, out.floats + 2);
+    return out;
+}
+
+/* Nothing as a fresh context has it. */
+static void disturb_state(GLuint buffer, GLuint framebuffer, GLuint array, GLuint program) {
+    static const GLenum on[] = {GL_DEPTH_TEST,          GL_STENCIL_TEST,        GL_CULL_FACE,
+                                GL_POLYGON_OFFSET_FILL, GL_POLYGON_OFFSET_LINE, GL_SAMPLE_ALPHA_TO_COVERAGE,
+                                GL_SAMPLE_COVERAGE,     GL_SAMPLE_MASK,         GL_DEPTH_CLAMP,
+                                GL_CLIP_DISTANCE0,      GL_CLIP_DISTANCE0 + 3};
+    for (size_t i = 0; i < sizeof on / sizeof on[0]; ++i)
+        glEnable(on[i]);
+    glDisable(GL_DITHER);
+    glUseProgram(program);
+    glBindVertexArray(array);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glDepthFunc(GL_GEQUAL);
+    glDepthMask(GL_FALSE);
+    glDepthRange(0.25, 0.75);
+    glEnablei(GL_BLEND, 1);
+    glEnablei(GL_SCISSOR_TEST, 2);
+    glBlendFuncSeparate(GL_DST_COLOR, GL_ONE, GL_SRC_ALPHA, GL_DST_ALPHA);
+    glBlendFunci(1, GL_ZERO, GL_ONE);
+    glBlendEquationSeparate(GL_MAX, GL_FUNC_SUBTRACT);
+    glColorMaski(0, GL_FALSE, GL_TRUE, GL_FALSE, GL_TRUE);
+    glColorMaski(3, GL_TRUE, GL_FALSE, GL_TRUE, GL_FALSE);
+    glViewport(1, 2, 3, 4);
+    glViewportIndexedf(2, 5, 6, 7, 8);
+    glScissor(5, 6, 7, 8);
+    glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
+    for (GLuint i = 0; i < 3; ++i)
+        glBindBufferRange(GL_SHADER_STORAGE_BUFFER, i, buffer, 256 * (GLintptr)i, 256);
+    glBindBufferRange(GL_UNIFORM_BUFFER, 14, buffer, 256, 512);
+    glBindBuffer(GL_COPY_WRITE_BUFFER, buffer);
+}
+
+static void test_state_is_restored(void **state) {
+    (void)state;
+    oit_scene *s = malloc(sizeof *s);
+    for (int variant = 0; variant < 6; ++variant) {
+        oit_desc desc = {.color = OIT_COLOR_FLOAT,
+                         .fields = variant & 1 ? (uint32_t)OIT_FIELD_BLEND : 0u,
+                         .fit = variant >= 4 ? OIT_FIT_ASYNC : OIT_FIT_WAIT,
+                         .ceiling_bytes = variant >= 2 && variant < 4 ? 3000 : 0};
+        GLuint buffer, array;
+        setting t;
+        size_t where = 0;
+        oit_truth *truth = malloc(32 * 32 * sizeof *truth);
+        open_setting(&t, false, 32, 32, GL_RGBA32F, desc);
+        oit_scene_init(s, 32, 32);
+        oit_scene_sheets(s, 4, 0.3, false);
+        oit_truth_render(s, truth);
+        oit_frame frame = oit_scene_frame(s, t.framebuffer);
+        clear_target(&t, s);
+        glGenBuffers(1, &buffer);
+        glBindBuffer(GL_COPY_WRITE_BUFFER, buffer);
+        glBufferData(GL_COPY_WRITE_BUFFER, 4096, NULL, GL_STATIC_DRAW);
+        glGenVertexArrays(1, &array);
+        disturb_state(buffer, t.h.framebuffer, array, s->plain);
+        gl_state before = take_state();
+        for (int run = 0; run < 2; ++run) {
+            if (run == 1) {
+                glBindFramebuffer(GL_FRAMEBUFFER, t.framebuffer);
+                glColorMaski(0, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+                const float white[4] = {1, 1, 1, 1};
+                glClearBufferfv(GL_COLOR, 0, white);
+                disturb_state(buffer, t.h.framebuffer, array, s->plain);
+            }
+            oit_pass pass; /* the test's own draws bind vertex arrays, which is the host's to do */
+            oit_scene_expect(oit_begin(t.oit, &frame), "oit_begin");
+            while (oit_next_pass(t.oit, &pass))
+                oit_scene_draw(s, t.oit, &pass, NULL);
+            oit_scene_expect(oit_compose(t.oit), "oit_compose");
+            oit_scene_expect(oit_end(t.oit), "oit_end");
+            gl_state after = take_state();
+            assert_memory_equal(&before, &after, sizeof before);
+        }
+        /* And none of it was in the way. */
+        float *picture = read_picture(&t);
+        assert_true(worst_error(s, truth, picture, &where) < 1e-5);
+        free(picture);
+        free(truth);
+        glUseProgram(0);
+        glBindVertexArray(0);
+        glDeleteVertexArrays(1, &array);
+        glDeleteBuffers(1, &buffer);
+        oit_scene_drop(s);
+        close_setting(&t);
+    }
+    free(s);
+}
+
+static void test_state_defaults(void **state) {
+    (void)state;
+    oit_desc desc = {.state = OIT_STATE_LEAVE_DEFAULTS};
+    oit_scene *s = malloc(sizeof *s);
+    setting t;
+    open_setting(&t, false, 32, 32, GL_RGBA8, desc);
+    oit_scene_init(s, 32, 32);
+    oit_scene_sheets(s, 4, 0.3, false);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glBindBuffer(GL_ARRAY_BUFFER, 0);
+    gl_state fresh = take_state();
+    clear_target(&t, s);
+    oit_frame frame = oit_scene_frame(s, t.framebuffer);
+    glEnable(GL_CULL_FACE);
+    glEnablei(GL_BLEND, 0);
+    glDepthMask(GL_FALSE);
+    oit_scene_render(s, t.oit, &frame, NULL);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
+    gl_state after = take_state();
+    memcpy(after.numbers + 20, fresh.numbers + 20, 8 * sizeof(GLint)); /* viewport and scissor box stay */
+    memcpy(after.floats + 2, fresh.floats + 2, 4 * sizeof(GLfloat));
+    assert_memory_equal(&fresh, &after, sizeof fresh);
+    oit_scene_drop(s);
+    close_setting(&t);
+    free(s);
+}
+
+/* ---- hard cases ---- */
 
 /* Two sheets one unit in the last place of the depth apart, drawn in either order: the nearer one is laid first. The
  * depths are what the fill pass saw, read back from the buffer. */
@@ -594,6 +944,11 @@ int main(void) {
         cmocka_unit_test(test_host_sets_the_state),
         cmocka_unit_test(test_blend_operations),
         cmocka_unit_test(test_background_weight),
+        cmocka_unit_test(test_reversed_depth),
+        cmocka_unit_test(test_viewport_with_an_offset),
+        cmocka_unit_test(test_host_shaders),
+        cmocka_unit_test(test_state_is_restored),
+        cmocka_unit_test(test_state_defaults),
         cmocka_unit_test(test_one_ulp_apart),
         cmocka_unit_test(test_alpha_extremes),
     };

@@ -23,7 +23,8 @@ typedef struct oit_scene {
     ref_object truths[OIT_SCENE_MAX];
     oit_scene_object objects[OIT_SCENE_MAX];
     size_t count, triangles;
-    GLuint plain; /* program for opaque things and for blending without a buffer */
+    bool reversed; /* near is 1, far is 0, by glClipControl */
+    GLuint plain;  /* program for opaque things and for blending without a buffer */
     GLint plain_matrix, plain_color;
 } oit_scene;
 
@@ -234,6 +235,8 @@ static inline void oit_scene_matrix(const oit_scene *s, size_t i, float out[16])
     double view_projection[16], all[16];
     harness_multiply(s->scene.projection, s->scene.view, view_projection);
     harness_multiply(view_projection, s->truths[i].model, all);
+    for (int c = 0; c < 4 && s->reversed; ++c) /* from -w ... w to w ... 0 */
+        all[4 * c + 2] = 0.5 * (all[4 * c + 3] - all[4 * c + 2]);
     for (int k = 0; k < 16; ++k)
         out[k] = (float)all[k];
 }

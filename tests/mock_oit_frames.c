@@ -1,0 +1,795 @@
+/* mock_oit_frames.c: frames of oit_buffers.h on a driver that is not there. It knows from the shaders' own text which
+ * buffers a program reads and writes, and fails on an access without the right barrier, on a map without one, and, where
+ * the test says so, on any wait; software drivers hide all of these. Its objects can be refused one after the other. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define OIT_BUFFERS_IMPLEMENTATION
+#include "oit_buffers.h"
+
+/* ---- the driver that is not there ---- */
+
+enum { MAX_NAMES = 4096, MAX_CALLS = 2000000, POINTS = 8, READS = 1, WRITES = 2 };
+enum { BUFFERS, ARRAYS, SHADERS, PROGRAMS, FENCES, KINDS };
+
+typedef struct fake_buffer {
+    int64_t size;
+    unsigned char *data;
+    bool unseen_writes, unseen_reads; /* by shaders, since the last barrier of shader storage */
+    bool unmappable;                  /* written by shaders since the last barrier of buffer updates */
+    uint32_t writer, reader;          /* programs */
+    long written;                     /* when; see driver.now */
+} fake_buffer;
+
+typedef struct fake_program {
+    int uses[3]; /* of pixels, fragments, report: READS, WRITES */
+    bool hosts;  /* count or fill */
+} fake_program;
+
+static struct {
+    const char *version;
+    int live[KINDS];
+    long creations, refuse_creation; /* the n-th creation fails; 0: none */
+    int64_t memory;                  /* that BufferData has; 0: any */
+    int refuse_compile, refuse_map;  /* 1: shaders; 2: programs */
+    uint32_t next_name, program, vertex_array, framebuffer, copy_target, storage[POINTS], uniforms[POINTS * 8];
+    fake_buffer buffers[MAX_NAMES];
+    fake_program programs[MAX_NAMES];
+    int shader_uses[MAX_NAMES][3];
+    bool shader_hosts[MAX_NAMES];
+    long now, finished; /* of commands; what the GPU has done */
+    int waits;
+    uint32_t totals[8];    /* what the report kernel finds */
+    uint32_t pixel_starts; /* fragments of each pixel, for bands */
+    const char *calls[MAX_CALLS];
+    int call_count;
+    int violations;
+    char text[8192];
+} driver;
+
+static bool allocation_fails;
+static int allocations;
+
+static void violate(const char *what, uint32_t buffer) {
+    if (driver.violations++ < 8)
+        print_message("    violation: %s, buffer %u\n", what, buffer);
+}
+
+static void note(const char *name) {
+    assert_true(driver.call_count < MAX_CALLS);
+    driver.calls[driver.call_count++] = name;
+    ++driver.now;
+}
+
+static int called_since(int first, const char *name) {
+    int count = 0;
+    for (int i = first; i < driver.call_count; ++i)
+        count += strcmp(driver.calls[i], name) == 0;
+    return count;
+}
+
+static uint32_t create(int kind) {
+    if (++driver.creations == driver.refuse_creation)
+        return 0;
+    assert_true(driver.next_name + 1 < MAX_NAMES);
+    ++driver.live[kind];
+    return ++driver.next_name;
+}
+
+/* How a program uses the storage buffer of that binding: by the qualifiers of its declaration. */
+static int uses_of(const char *source, const char *binding) {
+    char pattern[64];
+    snprintf(pattern, sizeof pattern, "binding = %s)", binding);
+    const char *at = strstr(source, pattern);
+    if (!at)
+        return 0;
+    at += strlen(pattern);
+    const char *end = strstr(at, "buffer");
+    assert_non_null(end);
+    size_t length = (size_t)(end - at);
+    char qualifiers[64] = "";
+    assert_true(length < sizeof qualifiers);
+    memcpy(qualifiers, at, length);
+    return strstr(qualifiers, "readonly") ? READS : strstr(qualifiers, "writeonly") ? WRITES : READS | WRITES;
+}
+
+static void use(uint32_t name, int how, uint32_t program, bool hosts) {
+    fake_buffer *buffer = &driver.buffers[name];
+    if (name == 0 || how == 0)
+        return;
+    /* One pass of the host's may draw as often as it likes: atomics order themselves. */
+    bool same = hosts && buffer->writer == program;
+    if (buffer->unseen_writes && !same)
+        violate(how & WRITES ? "written after a write without a barrier" : "read without a barrier", name);
+    if ((how & WRITES) && buffer->unseen_reads && !(hosts && buffer->reader == program))
+        violate("written while it may still be read", name);
+    if (how & READS) {
+        buffer->unseen_reads = true;
+        buffer->reader = program;
+    }
+    if (how & WRITES) {
+        buffer->unseen_writes = buffer->unmappable = true;
+        buffer->writer = program;
+        buffer->written = driver.now;
+    }
+}
+
+static void run_program(void) {
+    static const char *const names[3] = {"pixels", "fragments", "report"};
+    const fake_program *p = &driver.programs[driver.program];
+    assert_true(driver.program != 0);
+    for (int i = 0; i < 3; ++i) {
+        if (p->uses[i] && (driver.storage[i] == 0 || driver.buffers[driver.storage[i]].size == 0))
+            fail_msg("nothing is bound for the %s", names[i]);
+        use(driver.storage[i], p->uses[i], driver.program, p->hosts);
+    }
+}
+
+#define U uint32_t
+#define I int32_t
+#define B unsigned char
+#define FAKE(type, name, parameters, body)                                                                             \
+    static type fake_##name parameters {                                                                               \
+        note(#name);                                                                                                   \
+        body                                                                                                           \
+    }
+
+FAKE(void, AttachShader, (U a, U b), for (int i = 0; i < 3; ++i) driver.programs[a].uses[i] |= driver.shader_uses[b][i];
+     driver.programs[a].hosts |= driver.shader_hosts[b];)
+FAKE(void, BindBuffer, (U a, U b), if (a == 0x8F37u) driver.copy_target = b;)
+FAKE(void, BindBufferBase, (U a, U b, U c), if (a == 0x90D2u) driver.storage[b] = c; else driver.uniforms[b] = c;)
+FAKE(void, BindBufferRange, (U a, U b, U c, ptrdiff_t d, ptrdiff_t e), (void)a; (void)b; (void)c; (void)d; (void)e;)
+FAKE(void, BindFramebuffer, (U a, U b), (void)a; driver.framebuffer = b;)
+FAKE(void, BindVertexArray, (U a), driver.vertex_array = a;)
+FAKE(void, BlendEquationSeparate, (U a, U b), (void)a; (void)b;)
+FAKE(void, BlendEquationSeparatei, (U a, U b, U c), (void)a; (void)b; (void)c;)
+FAKE(void, BlendFuncSeparate, (U a, U b, U c, U d), (void)a; (void)b; (void)c; (void)d;)
+FAKE(void, BlendFuncSeparatei, (U a, U b, U c, U d, U e), (void)a; (void)b; (void)c; (void)d; (void)e;)
+FAKE(U, CheckFramebufferStatus, (U a), (void)a; return 0x8CD5u;)
+FAKE(void, ColorMask, (B a, B b, B c, B d), (void)a; (void)b; (void)c; (void)d;)
+FAKE(void, ColorMaski, (U a, B b, B c, B d, B e), (void)a; (void)b; (void)c; (void)d; (void)e;)
+FAKE(void, CompileShader, (U a), (void)a;)
+FAKE(U, CreateProgram, (void), U name = create(PROGRAMS); memset(&driver.programs[name], 0, sizeof driver.programs[0]);
+     return name;)
+FAKE(U, CreateShader, (U a), (void)a; return create(SHADERS);)
+FAKE(void, DeleteProgram, (U a), driver.live[PROGRAMS] -= a != 0;)
+FAKE(void, DeleteShader, (U a), driver.live[SHADERS] -= a != 0;)
+FAKE(void, DeleteSync, (void *a), driver.live[FENCES] -= a != NULL;)
+FAKE(void, DeleteVertexArrays, (I a, const U *b), driver.live[ARRAYS] -= a * (b[0] != 0);)
+FAKE(void, DepthFunc, (U a), (void)a;)
+FAKE(void, DepthMask, (B a), (void)a;)
+FAKE(void, DepthRangeIndexed, (U a, double b, double c), (void)a; (void)b; (void)c;)
+FAKE(void, DepthRangef, (float a, float b), (void)a; (void)b;)
+FAKE(void, Disable, (U a), (void)a;)
+FAKE(void, Disablei, (U a, U b), (void)a; (void)b;)
+FAKE(void, DispatchCompute, (U a, U b, U c), assert_true(a > 0 && a <= 65535 && b > 0 && b <= 65535 && c == 1);
+     run_program();)
+FAKE(void, DrawArrays, (U a, I b, I c), (void)a; (void)b; (void)c; assert_true(driver.vertex_array != 0); run_program();)
+FAKE(void, Enable, (U a), (void)a;)
+FAKE(void, Enablei, (U a, U b), (void)a; (void)b;)
+FAKE(void, GenVertexArrays, (I a, U *b), assert_int_equal(a, 1); b[0] = create(ARRAYS);)
+FAKE(void, GetBooleanv, (U a, B *b), (void)a; memset(b, 1, 4);)
+FAKE(void, GetBooleani_v, (U a, U b, B *c), (void)a; (void)b; memset(c, 1, 4);)
+FAKE(void, GetDoublei_v, (U a, U b, double *c), (void)a; (void)b; c[0] = 0; c[1] = 1;)
+FAKE(void, GetFloati_v, (U a, U b, float *c), (void)a; (void)b; c[0] = c[1] = c[2] = c[3] = 7;)
+FAKE(void, GetFloatv, (U a, float *b), (void)a; b[0] = 0; b[1] = 1;)
+FAKE(void, GetInteger64v, (U a, int64_t *b), (void)a; *b = (int64_t)1 << 27;)
+FAKE(void, GetInteger64i_v, (U a, U b, int64_t *c), (void)a; (void)b; *c = 0;)
+FAKE(void, GetProgramInfoLog, (U a, I b, I *c, char *d), (void)a; (void)c; snprintf(d, (size_t)b, "link trouble");)
+FAKE(void, GetProgramiv, (U a, U b, I *c), (void)a; (void)b; *c = driver.refuse_compile != 2;)
+FAKE(void, GetShaderInfoLog, (U a, I b, I *c, char *d), (void)a; (void)c; snprintf(d, (size_t)b, "compile trouble");)
+FAKE(void, GetShaderiv, (U a, U b, I *c), (void)a; (void)b; *c = driver.refuse_compile != 1;)
+FAKE(I, GetUniformLocation, (U a, const char *b), (void)a; (void)b; return 1;)
+FAKE(B, IsEnabled, (U a), (void)a; return 0;)
+FAKE(B, IsEnabledi, (U a, U b), (void)a; (void)b; return 0;)
+FAKE(B, IsProgram, (U a), return a != 0;)
+FAKE(void, LinkProgram, (U a), (void)a;)
+FAKE(void, PolygonMode, (U a, U b), (void)a; (void)b;)
+FAKE(void, Scissor, (I a, I b, I c, I d), (void)a; (void)b; (void)c; (void)d;)
+FAKE(void, ScissorIndexed, (U a, I b, I c, I d, I e), (void)a; (void)b; (void)c; (void)d; (void)e;)
+FAKE(void, Uniform4fv, (I a, I b, const float *c), (void)a; (void)b; (void)c;)
+FAKE(void, Uniform4uiv, (I a, I b, const U *c), (void)a; (void)b; (void)c;)
+FAKE(void, UniformMatrix3fv, (I a, I b, B c, const float *d), (void)a; (void)b; (void)c; (void)d;)
+FAKE(void, UniformMatrix4fv, (I a, I b, B c, const float *d), (void)a; (void)b; (void)c; (void)d;)
+FAKE(B, UnmapBuffer, (U a), (void)a; return 1;)
+FAKE(void, UseProgram, (U a), driver.program = a;)
+FAKE(void, Viewport, (I a, I b, I c, I d), (void)a; (void)b; (void)c; (void)d;)
+FAKE(void, ViewportIndexedf, (U a, float b, float c, float d, float e), (void)a; (void)b; (void)c; (void)d; (void)e;)
+
+static void fake_ShaderSource(U shader, I count, const char *const *strings, const I *lengths) {
+    static char source[200000];
+    static const char *const bindings[3] = {"OIT_BINDING_PIXELS", "OIT_BINDING_FRAGMENTS", "OIT_BINDING_REPORT"};
+    note("ShaderSource");
+    (void)lengths;
+    source[0] = 0;
+    for (I i = 0; i < count; ++i) {
+        assert_true(strlen(source) + strlen(strings[i]) < sizeof source);
+        strcat(source, strings[i]);
+    }
+    driver.shader_hosts[shader] = strstr(source, "void oit_store(vec4 color)") != NULL;
+    for (int i = 0; i < 3; ++i)
+        driver.shader_uses[shader][i] = uses_of(source, bindings[i]);
+    if (strstr(source, "#define OIT_PASS 0\n")) /* counting stores nothing */
+        driver.shader_uses[shader][1] = 0;
+}
+
+static void fake_GenBuffers(I count, U *names) {
+    note("GenBuffers");
+    assert_int_equal(count, 1);
+    names[0] = create(BUFFERS);
+}
+
+static void fake_DeleteBuffers(I count, const U *names) {
+    note("DeleteBuffers");
+    for (I i = 0; i < count; ++i) {
+        driver.live[BUFFERS] -= names[i] != 0;
+        free(driver.buffers[names[i]].data);
+        memset(&driver.buffers[names[i]], 0, sizeof driver.buffers[0]);
+    }
+}
+
+static void fake_BufferData(U target, ptrdiff_t size, const void *data, U usage) {
+    fake_buffer *buffer = &driver.buffers[driver.copy_target];
+    note("BufferData");
+    (void)data, (void)usage;
+    assert_int_equal(target, 0x8F37);
+    assert_true(driver.copy_target != 0 && size > 0);
+    free(buffer->data);
+    memset(buffer, 0, sizeof *buffer);
+    if (driver.memory && size > driver.memory)
+        return;
+    buffer->size = size;
+    buffer->data = calloc(1, (size_t)size);
+}
+
+static void fake_BufferSubData(U target, ptrdiff_t offset, ptrdiff_t size, const void *data) {
+    fake_buffer *buffer = &driver.buffers[driver.copy_target];
+    note("BufferSubData");
+    assert_int_equal(target, 0x8F37);
+    assert_true(offset >= 0 && offset + size <= buffer->size);
+    memcpy(buffer->data + offset, data, (size_t)size);
+}
+
+static void fake_GetBufferParameteri64v(U target, U what, int64_t *value) {
+    note("GetBufferParameteri64v");
+    assert_int_equal(target, 0x8F37);
+    assert_int_equal(what, 0x8764);
+    *value = driver.buffers[driver.copy_target].size;
+}
+
+static void fake_MemoryBarrier(U bits) {
+    note("MemoryBarrier");
+    for (U i = 1; i <= driver.next_name; ++i) {
+        if (bits & 0x2000u)
+            driver.buffers[i].unseen_writes = driver.buffers[i].unseen_reads = false;
+        if (bits & 0x200u)
+            driver.buffers[i].unmappable = false;
+    }
+}
+
+/* What shaders would have written there. */
+static void write_results(fake_buffer *buffer) {
+    if (buffer->size == 32) {
+        memcpy(buffer->data, driver.totals, 32);
+        return;
+    }
+    uint32_t *words = (uint32_t *)(void *)buffer->data;
+    for (int64_t i = 0; 16 + 2 * i < buffer->size / 4; ++i)
+        words[16 + 2 * i] = (uint32_t)i * driver.pixel_starts;
+}
+
+static void *fake_MapBufferRange(U target, ptrdiff_t offset, ptrdiff_t length, U access) {
+    fake_buffer *buffer = &driver.buffers[driver.copy_target];
+    note("MapBufferRange");
+    assert_int_equal(target, 0x8F37);
+    assert_int_equal(access, 1);
+    assert_true(offset >= 0 && length > 0 && offset + length <= buffer->size);
+    if (buffer->unmappable)
+        violate("mapped without a barrier", driver.copy_target);
+    if (buffer->written > driver.finished) {
+        ++driver.waits;
+        driver.finished = driver.now;
+    }
+    if (driver.refuse_map)
+        return NULL;
+    write_results(buffer);
+    return buffer->data + offset;
+}
+
+static void *fake_FenceSync(U condition, U flags) {
+    note("FenceSync");
+    (void)condition, (void)flags;
+    if (++driver.creations == driver.refuse_creation)
+        return NULL;
+    ++driver.live[FENCES];
+    return (void *)(uintptr_t)driver.now;
+}
+
+static U fake_ClientWaitSync(void *fence, U flags, uint64_t timeout) {
+    note("ClientWaitSync");
+    assert_int_equal(flags, 1);
+    if (timeout > 0 && (long)(uintptr_t)fence > driver.finished) {
+        ++driver.waits;
+        driver.finished = driver.now;
+    }
+    return (long)(uintptr_t)fence <= driver.finished ? 0x911Au : 0x911Bu;
+}
+
+static void fake_GetIntegerv(U what, I *out) {
+    note("GetIntegerv");
+    switch (what) {
+    case 0x8F37:
+        *out = (I)driver.copy_target;
+        break;
+    case 0x8B8D:
+        *out = (I)driver.program;
+        break;
+    case 0x85B5:
+        *out = (I)driver.vertex_array;
+        break;
+    case 0x8CA6:
+        *out = (I)driver.framebuffer;
+        break;
+    case 0x0D3A:
+        out[0] = out[1] = 16384;
+        break;
+    case 0x90DA:
+    case 0x90DB:
+        *out = 8;
+        break;
+    case 0x8F39:
+        *out = 16;
+        break;
+    case 0x90EB:
+        *out = 1024;
+        break;
+    case 0x90DD:
+        *out = POINTS;
+        break;
+    case 0x8A2F:
+        *out = 36;
+        break;
+    case 0x8824:
+        *out = 8;
+        break;
+    case 0x825B:
+        *out = 16;
+        break;
+    case 0x0D32:
+        *out = 8;
+        break;
+    case 0x0BA2:
+    case 0x0C10:
+        memset(out, 0, 4 * sizeof *out);
+        break;
+    case 0x0B40:
+        out[0] = out[1] = 0x1B02;
+        break;
+    default:
+        *out = 0;
+        break;
+    }
+}
+
+static void fake_GetIntegeri_v(U what, U index, I *out) {
+    note("GetIntegeri_v");
+    if (what == 0x0C10)
+        memset(out, 0, 4 * sizeof *out);
+    else
+        *out = what == 0x90D3 ? (I)driver.storage[index] : what == 0x8A28 ? (I)driver.uniforms[index] : 0;
+}
+
+static const unsigned char *fake_GetString(U name) {
+    (void)name;
+    return (const unsigned char *)driver.version;
+}
+
+static const unsigned char *fake_GetStringi(U name, U index) {
+    (void)name, (void)index;
+    return NULL;
+}
+
+static oit_proc get_proc(const char *name) {
+#define GIVE(type, function, parameters)                                                                               \
+    if (strcmp(name, "gl" #function) == 0)                                                                             \
+        return (oit_proc)fake_##function;
+    OIT_I_GL_QUERIES(GIVE)
+    OIT_I_GL_REQUIRED(GIVE)
+    OIT_I_GL_DESKTOP(GIVE)
+    OIT_I_GL_INDEXED(GIVE)
+    OIT_I_GL_ES(GIVE)
+    return NULL;
+}
+
+/* ---- the host ---- */
+
+static void *allocate(size_t size, void *user) {
+    (void)user;
+    if (allocation_fails)
+        return NULL;
+    ++allocations;
+    return malloc(size);
+}
+
+static void release(void *block, void *user) {
+    (void)user;
+    --allocations;
+    free(block);
+}
+
+static void on_log(oit_log_level level, oit_result code, const char *text, void *user) {
+    (void)level, (void)code, (void)user;
+    if (strlen(driver.text) + strlen(text) + 2 < sizeof driver.text) {
+        strcat(driver.text, text);
+        strcat(driver.text, "\n");
+    }
+}
+
+static int set_up(void **state) {
+    (void)state;
+    memset(&driver, 0, sizeof driver);
+    driver.version = "4.5.0 Mock";
+    driver.pixel_starts = 2;
+    driver.program = 4000;
+    driver.vertex_array = 77;
+    driver.framebuffer = 5;
+    driver.copy_target = 78;
+    allocation_fails = false;
+    allocations = 0;
+    return 0;
+}
+
+static int tear_down(void **state) {
+    (void)state;
+    for (int i = 0; i < MAX_NAMES; ++i)
+        free(driver.buffers[i].data);
+    for (int i = 0; i < KINDS; ++i)
+        if (driver.live[i] != 0) {
+            print_error("%d objects of kind %d are left\n", driver.live[i], i);
+            return 1;
+        }
+    return allocations != 0 || driver.violations != 0;
+}
+
+static oit_context *make(oit_desc desc) {
+    desc.get_proc = get_proc;
+    desc.alloc_fn = allocate;
+    desc.free_fn = release;
+    desc.log_fn = on_log;
+    oit_context *oit = oit_create(&desc, NULL);
+    assert_non_null(oit);
+    return oit;
+}
+
+static void set_totals(uint32_t fragments, uint32_t deepest) {
+    const uint32_t totals[8] = {fragments, deepest, 0, 0, 0, fragments, 0, 0};
+    memcpy(driver.totals, totals, sizeof totals);
+}
+
+static const oit_frame frame = {.framebuffer = 5, .width = 64, .height = 48};
+
+/* Two draws a pass. Under OIT_STATE_NONE the test does what the pass says. */
+static oit_result draw_passes(oit_context *oit, int *passes) {
+    oit_pass pass;
+    while (oit_next_pass(oit, &pass)) {
+        bool raw = oit->desc.state == OIT_STATE_NONE;
+        if (raw) {
+            fake_UseProgram(pass.state.program);
+            for (U i = 0; i < 3; ++i)
+                fake_BindBufferBase(0x90D2u, i, pass.state.storage_buffers[i]);
+        }
+        ++*passes;
+        if (raw && pass.state.groups[0]) {
+            fake_DispatchCompute(pass.state.groups[0], pass.state.groups[1], pass.state.groups[2]);
+        } else {
+            fake_DrawArrays(4, 0, 3);
+            if (!pass.state.vertex_count)
+                fake_DrawArrays(4, 0, 3);
+        }
+    }
+    return OIT_OK;
+}
+
+static oit_result draw_frame(oit_context *oit, const oit_frame *f, int *passes) {
+    int ignored = 0;
+    oit_result result = oit_begin(oit, f), end;
+    if (result != OIT_OK)
+        return result;
+    draw_passes(oit, passes ? passes : &ignored);
+    result = oit_compose(oit);
+    if (oit->desc.state == OIT_STATE_NONE)
+        draw_passes(oit, passes ? passes : &ignored);
+    end = oit_end(oit);
+    return result != OIT_OK ? result : end;
+}
+
+/* ---- barriers and waits ---- */
+
+static const oit_desc descs[] = {
+    {.fit = OIT_FIT_WAIT},
+    {.fit = OIT_FIT_ASYNC},
+    {.fit = OIT_FIT_ASYNC, .state = OIT_STATE_NONE},
+    {.fit = OIT_FIT_ASYNC, .fields = OIT_FIELD_ALL, .color = OIT_COLOR_FLOAT},
+    {.fit = OIT_FIT_WAIT, .ceiling_bytes = 64 * 16 * 9}, /* bands of rows */
+    {.fit = OIT_FIT_WAIT, .ceiling_bytes = 16 * 9},      /* bands of parts of rows */
+    {.fit = OIT_FIT_WAIT, .max_block_bytes = 9000},      /* slabs */
+    {.fit = OIT_FIT_ASYNC, .max_block_bytes = 12000},    /* slabs */
+};
+
+/* tear_down fails where a barrier was missing. */
+static void test_barriers(void **state) {
+    (void)state;
+    for (int es = 0; es < 2; ++es)
+        for (size_t i = 0; i < sizeof descs / sizeof descs[0]; ++i) {
+            driver.version = es ? "OpenGL ES 3.1 Mock" : "4.3.0 Mock";
+            oit_context *oit = make(descs[i]);
+            set_totals(64 * 48 * 2, 300);
+            for (int run = 0; run < 4; ++run) {
+                int passes = 0;
+                assert_int_equal(draw_frame(oit, &frame, &passes), OIT_OK);
+                assert_true(passes >= 2);
+                driver.finished = driver.now;
+            }
+            oit_destroy(oit);
+            assert_int_equal(driver.violations, 0);
+        }
+}
+
+/* In a steady frame nothing is created, allocated or waited for, whatever the GPU's lag. */
+static void test_steady_frames(void **state) {
+    static const char *const never[] = {"GenBuffers",    "BufferData",         "GenVertexArrays", "CreateShader",
+                                        "CreateProgram", "GetUniformLocation", "BufferSubData",   "DeleteBuffers"};
+    (void)state;
+    for (int lag = 0; lag < 5; ++lag)
+        for (size_t i = 0; i < sizeof descs / sizeof descs[0]; ++i) {
+            long ends[16] = {0};
+            oit_context *oit = make(descs[i]);
+            int kept = 0, waits = 0;
+            set_totals(64 * 48 * 2, 30);
+            for (int run = 0; run < 12; ++run) {
+                int first = driver.call_count;
+                if (run == 8) {
+                    kept = allocations;
+                    waits = driver.waits;
+                }
+                assert_int_equal(draw_frame(oit, &frame, NULL), OIT_OK);
+                ends[run] = driver.now;
+                if (run >= lag && ends[run - lag] > driver.finished)
+                    driver.finished = ends[run - lag];
+                if (run < 8 || descs[i].ceiling_bytes || descs[i].max_block_bytes)
+                    continue; /* bands and slabs change the uniform block as they go */
+                for (size_t k = 0; k < sizeof never / sizeof never[0]; ++k)
+                    if (called_since(first, never[k]) && !(descs[i].fit == OIT_FIT_WAIT && k == 6))
+                        fail_msg("%s in a steady frame", never[k]);
+            }
+            assert_int_equal(allocations, kept);
+            if (descs[i].fit == OIT_FIT_ASYNC)
+                assert_int_equal(driver.waits, waits);
+            oit_destroy(oit);
+            driver.call_count = 0;
+            set_up(state);
+        }
+}
+
+/* OIT_FIT_ASYNC never waits, not even while it grows. */
+static void test_growth_does_not_wait(void **state) {
+    (void)state;
+    oit_desc desc = {.fit = OIT_FIT_ASYNC};
+    oit_context *oit = make(desc);
+    oit_report report;
+    set_totals(100000, 40);
+    for (int run = 0; run < 6; ++run) {
+        assert_int_equal(draw_frame(oit, &frame, NULL), OIT_OK);
+        if (run >= 1)
+            driver.finished = driver.now;
+    }
+    assert_int_equal(driver.waits, 0);
+    assert_int_equal(oit_get_report(oit, &report), OIT_OK);
+    assert_int_equal(report.needed, 100000);
+    assert_int_equal(report.capacity, 125001);
+    /* Much less for a while: it shrinks, but not at once. */
+    set_totals(1000, 4);
+    for (int run = 0; run < 70; ++run) {
+        assert_int_equal(draw_frame(oit, &frame, NULL), OIT_OK);
+        driver.finished = driver.now;
+        driver.call_count = 0;
+        if (run == 40)
+            assert_int_equal(oit->capacity, 125001);
+    }
+    assert_int_equal(oit->capacity, 1251);
+    assert_int_equal(driver.waits, 0);
+    oit_destroy(oit);
+}
+
+/* One read-back a frame between count and fill, and none else unless a report is asked for. */
+static void test_wait_waits_once(void **state) {
+    (void)state;
+    oit_desc desc = {.fit = OIT_FIT_WAIT};
+    oit_context *oit = make(desc);
+    set_totals(5000, 10);
+    for (int run = 0; run < 6; ++run) {
+        int before = driver.waits, first = driver.call_count;
+        assert_int_equal(draw_frame(oit, &frame, NULL), OIT_OK);
+        assert_int_equal(driver.waits, before + 1);
+        if (run == 0)
+            assert_int_equal(called_since(first, "MapBufferRange"), 1);
+        driver.finished = driver.now;
+    }
+    oit_destroy(oit);
+}
+
+/* ---- faults ---- */
+
+/* Every creation refused in turn: an error or a frame, nothing left, the host's bindings as they were, and the next frame
+ * works. */
+static void test_every_creation_refused(void **state) {
+    (void)state;
+    for (size_t i = 0; i < 4; ++i) {
+        long total = 1;
+        for (long refused = 1; refused <= total; ++refused) {
+            set_up(state);
+            oit_context *oit = make(descs[i]);
+            set_totals(20000, 10);
+            driver.refuse_creation = refused;
+            oit_result result = draw_frame(oit, &frame, NULL);
+            if (result == OIT_OK)
+                result = draw_frame(oit, &frame, NULL);
+            if (result != OIT_OK)
+                assert_true(strlen(driver.text) > 0);
+            if (descs[i].state == OIT_STATE_RESTORE) {
+                assert_int_equal(driver.program, 4000);
+                assert_int_equal(driver.vertex_array, 77);
+                assert_int_equal(driver.framebuffer, 5);
+            }
+            assert_int_equal(driver.copy_target, 78);
+            driver.finished = driver.now;
+            assert_int_equal(draw_frame(oit, &frame, NULL), OIT_OK);
+            if (driver.creations > total)
+                total = driver.creations;
+            oit_destroy(oit);
+            assert_int_equal(tear_down(state), 0);
+            memset(driver.buffers, 0, sizeof driver.buffers);
+        }
+        assert_true(total > 20);
+    }
+}
+
+static void test_shaders_that_fail(void **state) {
+    (void)state;
+    for (int how = 1; how <= 2; ++how) {
+        oit_context *oit = make(descs[0]);
+        driver.refuse_compile = how;
+        assert_int_equal(draw_frame(oit, &frame, NULL), OIT_SHADER_FAILED);
+        assert_non_null(strstr(driver.text, how == 1 ? "compile trouble" : "link trouble"));
+        driver.refuse_compile = 0;
+        assert_int_equal(draw_frame(oit, &frame, NULL), OIT_OK);
+        oit_destroy(oit);
+    }
+}
+
+/* Less memory than growth asks for: fewer fragments, in bands; none at all: an error, and the next frame works. */
+static void test_no_memory_mid_growth(void **state) {
+    (void)state;
+    oit_report report;
+    oit_context *oit = make(descs[0]);
+    set_totals(64 * 48 * 2, 2);
+    driver.memory = 30000; /* the pixels take 24,652 bytes */
+    assert_int_equal(draw_frame(oit, &frame, NULL), OIT_OK);
+    driver.finished = driver.now;
+    assert_int_equal(oit_get_report(oit, &report), OIT_OK);
+    assert_true(report.bands > 1 && report.capacity <= 30000 / 16);
+    oit_destroy(oit);
+
+    oit = make(descs[0]);
+    driver.memory = 8;
+    assert_int_equal(draw_frame(oit, &frame, NULL), OIT_OUT_OF_MEMORY);
+    assert_int_equal(driver.copy_target, 78);
+    driver.memory = 0;
+    assert_int_equal(draw_frame(oit, &frame, NULL), OIT_OK);
+    oit_destroy(oit);
+
+    oit = make(descs[0]);
+    driver.refuse_map = 1;
+    assert_int_equal(draw_frame(oit, &frame, NULL), OIT_OUT_OF_MEMORY);
+    driver.refuse_map = 0;
+    assert_int_equal(draw_frame(oit, &frame, NULL), OIT_OK);
+    allocation_fails = true;
+    oit_destroy(oit);
+    allocation_fails = false;
+    oit = make(descs[0]);
+    allocation_fails = true;
+    assert_int_equal(draw_frame(oit, &frame, NULL), OIT_OUT_OF_MEMORY);
+    allocation_fails = false;
+    assert_int_equal(draw_frame(oit, &frame, NULL), OIT_OK);
+    oit_destroy(oit);
+}
+
+static void test_pixel_deeper_than_the_ceiling(void **state) {
+    (void)state;
+    oit_desc desc = {.ceiling_bytes = 16 * 9};
+    oit_context *oit = make(desc);
+    driver.pixel_starts = 10;
+    set_totals(64 * 48 * 10, 10);
+    assert_int_equal(draw_frame(oit, &frame, NULL), OIT_PIXEL_TOO_DEEP);
+    assert_int_equal(driver.program, 4000);
+    driver.pixel_starts = 9;
+    set_totals(64 * 48 * 9, 9);
+    assert_int_equal(draw_frame(oit, &frame, NULL), OIT_OK);
+    oit_destroy(oit);
+}
+
+static void test_wrong_order_and_bad_frames(void **state) {
+    (void)state;
+    oit_context *oit = make(descs[0]);
+    oit_frame bad = frame;
+    oit_pass pass;
+    assert_int_equal(oit_compose(oit), OIT_WRONG_ORDER);
+    assert_int_equal(oit_end(oit), OIT_WRONG_ORDER);
+    assert_int_equal(oit_next_pass(oit, &pass), 0);
+    assert_int_equal(oit_begin(oit, &frame), OIT_OK);
+    assert_int_equal(oit_begin(oit, &frame), OIT_WRONG_ORDER);
+    assert_int_equal(oit_release(oit), OIT_WRONG_ORDER);
+    assert_int_equal(oit_next_pass(oit, &pass), 1);
+    assert_int_equal(pass.kind, OIT_PASS_COUNT);
+    assert_int_equal(oit_compose(oit), OIT_WRONG_ORDER);
+    assert_int_equal(oit_end(oit), OIT_OK); /* early */
+    assert_int_equal(driver.program, 4000);
+    bad.width = -1;
+    assert_int_equal(oit_begin(oit, &bad), OIT_INVALID_ARGUMENT);
+    bad.width = 20000;
+    assert_int_equal(oit_begin(oit, &bad), OIT_TOO_LARGE);
+    bad = frame;
+    bad.light[1] = (float)(1e300 * 1e300);
+    assert_int_equal(oit_begin(oit, &bad), OIT_INVALID_ARGUMENT);
+    bad = frame;
+    bad.height = 0;
+    assert_int_equal(draw_frame(oit, &bad, NULL), OIT_OK);
+    assert_int_equal(oit_release(oit), OIT_OK);
+    assert_true(oit_get_info(oit).bytes == 0);
+    oit_destroy(oit);
+}
+
+/* 16k pixels wide, and sizes that change each frame. */
+static void test_sizes(void **state) {
+    static const int sizes[][2] = {{16384, 1}, {16384, 900}, {1, 16384}, {1, 1}, {640, 480}, {641, 480}, {3, 5}};
+    (void)state;
+    for (size_t i = 0; i < 2; ++i) {
+        oit_context *oit = make(descs[i]);
+        for (size_t k = 0; k < 2 * sizeof sizes / sizeof sizes[0]; ++k) {
+            oit_frame f = frame;
+            f.width = sizes[k % 7][0];
+            f.height = sizes[k % 7][1];
+            set_totals((uint32_t)(f.width * f.height) / 4, 5);
+            driver.pixel_starts = 0;
+            assert_int_equal(draw_frame(oit, &f, NULL), OIT_OK);
+            driver.finished = driver.now;
+        }
+        oit_destroy(oit);
+        driver.call_count = 0;
+    }
+}
+
+#define DRIVER_TEST(name) cmocka_unit_test_setup_teardown(name, set_up, tear_down)
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        DRIVER_TEST(test_barriers),
+        DRIVER_TEST(test_steady_frames),
+        DRIVER_TEST(test_growth_does_not_wait),
+        DRIVER_TEST(test_wait_waits_once),
+        DRIVER_TEST(test_every_creation_refused),
+        DRIVER_TEST(test_shaders_that_fail),
+        DRIVER_TEST(test_no_memory_mid_growth),
+        DRIVER_TEST(test_pixel_deeper_than_the_ceiling),
+        DRIVER_TEST(test_wrong_order_and_bad_frames),
+        DRIVER_TEST(test_sizes),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
