@@ -323,7 +323,7 @@ SIL_DEF void sil_pose_destroy(sil_pose *pose); /* before its mesh; NULL is fine 
    with the smallest index. NULL: back to the rest positions. SIL_INVALID_ARGUMENT, SIL_OUT_OF_MEMORY (nothing changed).
    */
 SIL_DEF sil_result sil_pose_set(sil_pose *pose, const float *positions, size_t stride);
-/* Makes room for sil_chain with so many edges, so that it allocates nothing later. */
+/* Makes room for sil_chain and sil_track with so many edges, so that they allocate nothing later. */
 SIL_DEF sil_result sil_pose_reserve(sil_pose *pose, size_t edge_count);
 
 /* A dead zone for all later views of the pose: a face whose plane is within an angle of the line of sight to the middle
@@ -362,6 +362,21 @@ typedef struct sil_edge {
    creases. */
 SIL_DEF size_t sil_extract(const sil_mesh *mesh, sil_pose *pose, const sil_view *view, unsigned kinds, sil_edge *edges,
                            size_t capacity);
+
+/* What sil_track tells: numbers of edges (sil_edge.edge), rising, in arrays of the caller's. */
+typedef struct sil_changes {
+    uint32_t *entered, *left;         /* NULL: only counted */
+    size_t capacity;                  /* of each array */
+    size_t entered_count, left_count; /* set by sil_track; may be above the capacity: the rest is not written */
+} sil_changes;
+
+/* sil_extract, and which edges entered and left the set since the pose's last sil_track, whatever the views, positions
+   and kinds were then; before the first it is empty. When the edges do not fit the call only counts: the changes are
+   zero, and the next call tells them. The pose keeps the numbers of the edges; memory for that only grows, and
+   sil_pose_reserve makes it large enough at once. pose must not be NULL. 0 with both counts SIZE_MAX: out of memory,
+   nothing changed. */
+SIL_DEF size_t sil_track(const sil_mesh *mesh, sil_pose *pose, const sil_view *view, unsigned kinds, sil_edge *edges,
+                         size_t capacity, sil_changes *changes);
 
 typedef struct sil_strip {
     uint32_t first, count; /* range in the vertex array; a closed strip repeats its first vertex at the end */
@@ -657,6 +672,8 @@ struct sil_pose {
     sil_i_shape shape; /* allocated by the first sil_pose_set */
     void *scratch;
     size_t scratch_size;
+    uint32_t *tracked; /* edges of the last sil_track, rising */
+    size_t tracked_count, tracked_capacity;
     double zone_sine;         /* 0: there is no dead zone */
     unsigned char *zone_last; /* of each face: 1 if it was in front; NULL: never asked for */
     int zone_remembers;
@@ -3516,6 +3533,7 @@ SIL_DEF void sil_pose_destroy(sil_pose *pose) {
     sil_i_shape_give(&allocator, &pose->shape);
     sil_i_give(&allocator, pose->front);
     sil_i_give(&allocator, pose->scratch);
+    sil_i_give(&allocator, pose->tracked);
     sil_i_give(&allocator, pose->zone_last);
     sil_i_give(&allocator, pose);
 }
@@ -4886,6 +4904,62 @@ SIL_DEF size_t sil_extract(const sil_mesh *mesh, sil_pose *pose, const sil_view 
     return out.count;
 }
 
+/* ---- the tracker ---- */
+
+/* Exact deadlines (how far may the eye move before a patch has to be looked at again?) were tried and dropped: they leave
+   out too few of the patches that the hierarchy looks at (docs/silhouette.md has the figures). */
+
+static int sil_i_track_room(sil_pose *pose, size_t count) {
+    const sil_allocator *a = &pose->mesh->allocator;
+    size_t room = 2 * pose->tracked_capacity;
+    uint32_t *memory;
+    if (count <= pose->tracked_capacity)
+        return 1;
+    room = room > count ? room : count;
+    memory = (uint32_t *)a->alloc_fn(room * sizeof(uint32_t), a->user);
+    if (!memory)
+        return 0;
+    if (pose->tracked_count)
+        memcpy(memory, pose->tracked, pose->tracked_count * sizeof(uint32_t));
+    sil_i_give(a, pose->tracked);
+    pose->tracked = memory;
+    pose->tracked_capacity = room;
+    return 1;
+}
+
+SIL_DEF size_t sil_track(const sil_mesh *mesh, sil_pose *pose, const sil_view *view, unsigned kinds, sil_edge *edges,
+                         size_t capacity, sil_changes *changes) {
+    size_t count, i = 0, j = 0;
+    if (!changes)
+        return 0;
+    changes->entered_count = changes->left_count = 0;
+    if (!mesh || !pose || pose->mesh != mesh)
+        return 0;
+    count = sil_extract(mesh, pose, view, kinds, edges, capacity);
+    if (count > (edges ? capacity : 0))
+        return count;
+    if (!sil_i_track_room(pose, count)) {
+        changes->entered_count = changes->left_count = (size_t)-1;
+        return 0;
+    }
+    while (i < count || j < pose->tracked_count) {
+        const uint32_t now = i < count ? edges[i].edge : SIL_NONE;
+        const uint32_t last = j < pose->tracked_count ? pose->tracked[j] : SIL_NONE;
+        if (now < last && changes->entered && changes->entered_count < changes->capacity)
+            changes->entered[changes->entered_count] = now;
+        if (last < now && changes->left && changes->left_count < changes->capacity)
+            changes->left[changes->left_count] = last;
+        changes->entered_count += now < last;
+        changes->left_count += last < now;
+        i += now <= last;
+        j += last <= now;
+    }
+    for (i = 0; i < count; ++i)
+        pose->tracked[i] = edges[i].edge;
+    pose->tracked_count = count;
+    return count;
+}
+
 /* ---- chains ---- */
 
 /* An end of an edge in a set: 2 * (place in rising order) + 0 for the end a, 1 for the end b. */
@@ -4955,7 +5029,9 @@ SIL_DEF sil_result sil_pose_reserve(sil_pose *pose, size_t edge_count) {
         return SIL_INVALID_ARGUMENT;
     if (edge_count > pose->mesh->edge_count)
         edge_count = pose->mesh->edge_count;
-    return sil_i_scratch(pose->mesh, pose, sil_i_chain_size(edge_count) + 1) ? SIL_OK : SIL_OUT_OF_MEMORY;
+    return sil_i_scratch(pose->mesh, pose, sil_i_chain_size(edge_count) + 1) && sil_i_track_room(pose, edge_count)
+               ? SIL_OK
+               : SIL_OUT_OF_MEMORY;
 }
 
 /* Shares out the scratch memory and fills order and table: edges by rising index, each once. */
