@@ -614,8 +614,9 @@ SIL_DEF sil_result sil_dashes_follow(sil_dashes *dashes, const sil_mesh *mesh, c
 #endif
 
 /* Vector code is made for machines that have AVX2, and used where this one does; SIL_NO_SIMD leaves it out. Both ways
-   give the same bits. */
-#if !defined(SIL_NO_SIMD) && (defined(__x86_64__) || defined(__i386__)) && defined(__GNUC__) && !defined(__TINYC__)
+   give the same bits. Not with gcc for Windows, whose stack is not aligned for vectors of 32 bytes. */
+#if !defined(SIL_NO_SIMD) && (defined(__x86_64__) || defined(__i386__)) && defined(__GNUC__) && !defined(__TINYC__) && \
+    (!defined(_WIN32) || defined(__clang__))
 #include <immintrin.h>
 #define SIL_I_WIDE __attribute__((target("avx2,bmi")))
 #endif
