@@ -1,154 +1,21 @@
 /* cc -std=c11 -O2 -I. bench/silhouette.c -o bench_silhouette -lm && ./bench_silhouette [FILE.csv]
 
-   Time to find the silhouettes of one view, median over many views, and of what comes after. Subjects:
-     published  the papers' way: for each edge the product of its faces' signs, float normals, scalar code
-     brute      silhouette.h with a pose, made with SIL_MESH_NO_HIERARCHY: exact signs of all faces, then all edges
-     hierarchy  the same by the hierarchy, which gives way to the flat scan by itself; bytes are those it adds
-   error_max is the largest number of edges, in every seventh view, that differ from those by exact signs asked for one at a time.
-   BENCH=quick takes fewer views. The file is build/bench/silhouette.csv unless given; its folder must exist. */
+   Time to find the silhouettes of one view, median over the views of a path, and of what comes after. The eye turns by one
+   degree a frame, nearer and further away. Subjects:
+     published  the papers' way: for each edge the product of its faces' signs, float normals, scalar code; it writes
+                numbers of edges only
+     brute      silhouette.h with a pose, made with SIL_MESH_NO_HIERARCHY: exact signs of all faces, then all patches
+     hierarchy  the same by the hierarchy; bytes are those it adds
+     tracker    sil_track by the hierarchy, with the edges that entered and left; bytes are those the pose keeps
+   error_max is the largest number of edges, in every seventh view, that differ from those told one at a time.
+   scene: _ortho are parallel views, _axes parallel ones along the axes. Subjects take turns, a path each, so that each
+   finds in the caches what it left there itself. work `pose`: sil_pose_set and sil_extract of a moved mesh.
+   BENCH=quick takes fewer views and leaves out 10^7 edges. BENCH_MESHES=FOLDER writes the meshes there for
+   bench/vtk_feature_lines.py. The file is build/bench/silhouette.csv unless given; its folder must exist. */
 #define SILHOUETTE_IMPLEMENTATION
 #include "silhouette.h"
 
-#include "bench.h"
-
-typedef struct model {
-    const char *name;
-    float *positions;
-    uint32_t *indices;
-    size_t vertex_count, index_count;
-} model;
-
-/* What the published test reads of an edge. */
-typedef struct plain_edge {
-    uint32_t a, b, face[2];
-} plain_edge;
-
-typedef struct published {
-    plain_edge *edges;
-    float *normals;
-    size_t edge_count, bytes;
-} published;
-
-static model model_new(const char *name, size_t vertices, size_t triangles) {
-    model m;
-    m.name = name;
-    m.positions = (float *)need(3 * vertices * sizeof(float));
-    m.indices = (uint32_t *)need(3 * triangles * sizeof(uint32_t));
-    m.vertex_count = vertices;
-    m.index_count = 0;
-    return m;
-}
-
-static void add_quad(model *m, uint32_t a, uint32_t b, uint32_t c, uint32_t d) {
-    const uint32_t corners[6] = {a, b, c, a, c, d};
-    memcpy(m->indices + m->index_count, corners, sizeof corners);
-    m->index_count += 6;
-}
-
-static model make_torus(size_t rings, size_t sides) {
-    model m = model_new("torus", rings * sides, 2 * rings * sides);
-    size_t i, j;
-    for (i = 0; i < rings; ++i)
-        for (j = 0; j < sides; ++j) {
-            const double u = 2 * SIL_I_PI * (double)i / (double)rings, v = 2 * SIL_I_PI * (double)j / (double)sides;
-            float *p = m.positions + 3 * (i * sides + j);
-            const size_t right = (i + 1) % rings * sides, up = (j + 1) % sides;
-            p[0] = (float)((1 + 0.4 * cos(v)) * cos(u));
-            p[1] = (float)((1 + 0.4 * cos(v)) * sin(u));
-            p[2] = (float)(0.4 * sin(v));
-            add_quad(&m, (uint32_t)(i * sides + j), (uint32_t)(right + j), (uint32_t)(right + up),
-                     (uint32_t)(i * sides + up));
-        }
-    return m;
-}
-
-/* A sphere with gentle bumps, smooth at the size of a face; `bumps` of 0.3 makes a rough one, with many silhouettes. */
-static model make_blob(const char *name, size_t rings, size_t sides, double bumps) {
-    model m = model_new(name, rings * sides, 2 * (rings - 1) * sides);
-    size_t i, j;
-    for (i = 0; i < rings; ++i)
-        for (j = 0; j < sides; ++j) {
-            const double u = SIL_I_PI * ((double)i + 0.5) / (double)rings;
-            const double v = 2 * SIL_I_PI * (double)j / (double)sides;
-            const double wave = bumps > 0.2 ? 31 : 5, r = 1 + bumps * sin(wave * u) * cos(wave * v);
-            float *p = m.positions + 3 * (i * sides + j);
-            const size_t next = (j + 1) % sides, low = i * sides, high = low + sides;
-            p[0] = (float)(r * sin(u) * cos(v));
-            p[1] = (float)(r * sin(u) * sin(v));
-            p[2] = (float)(r * cos(u));
-            if (i + 1 < rings)
-                add_quad(&m, (uint32_t)(low + j), (uint32_t)(high + j), (uint32_t)(high + next),
-                         (uint32_t)(low + next));
-        }
-    return m;
-}
-
-/* The surface of a box of n * n * n cells: flat sides, as CAD has them. Vertices are numbered by place. */
-static model make_box(size_t n) {
-    model m = model_new("box", (n + 1) * (n + 1) * 6, 12 * n * n);
-    size_t side, i, j;
-    m.vertex_count = 0;
-    for (side = 0; side < 6; ++side) {
-        const uint32_t first = (uint32_t)m.vertex_count, row = (uint32_t)n + 1;
-        for (i = 0; i <= n; ++i)
-            for (j = 0; j <= n; ++j) {
-                float *p = m.positions + 3 * m.vertex_count++;
-                p[side / 2] = side % 2 ? 1 : -1;
-                p[(side / 2 + 1) % 3] = (float)(2 * (double)i / (double)n - 1);
-                p[(side / 2 + 2) % 3] = (float)(2 * (double)j / (double)n - 1);
-            }
-        for (i = 0; i < n; ++i)
-            for (j = 0; j < n; ++j) {
-                const uint32_t a = first + (uint32_t)i * row + (uint32_t)j, b = a + row, c = b + 1, d = a + 1;
-                if (side % 2)
-                    add_quad(&m, a, b, c, d);
-                else
-                    add_quad(&m, a, d, c, b);
-            }
-    }
-    return m;
-}
-
-/* The same faces and edges as the mesh has. */
-static published publish(const sil_mesh *mesh) {
-    published p;
-    size_t i;
-    int k;
-    p.edge_count = mesh->edge_count;
-    p.bytes = mesh->edge_count * sizeof(plain_edge) + mesh->face_count * 3 * sizeof(float);
-    p.edges = (plain_edge *)need(mesh->edge_count * sizeof(plain_edge));
-    p.normals = (float *)need(mesh->face_count * 3 * sizeof(float));
-    for (i = 0; i < mesh->edge_count; ++i) {
-        p.edges[i].a = mesh->edge_vertex[2 * i];
-        p.edges[i].b = mesh->edge_vertex[2 * i + 1];
-        p.edges[i].face[0] = mesh->edge_face[0][i];
-        p.edges[i].face[1] = mesh->edge_face[1][i];
-    }
-    for (i = 0; i < mesh->face_count; ++i) {
-        double normal[3], error, length;
-        sil_i_normal(&mesh->rest, mesh->corner + 3 * i, normal, &error);
-        length = sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
-        for (k = 0; k < 3; ++k)
-            p.normals[3 * i + (size_t)k] = (float)(normal[k] / length);
-    }
-    return p;
-}
-
-/* Diepstraten 2002, equation 1; a direction for parallel views. */
-static size_t run_published(const published *p, const float *positions, const sil_view *view, uint32_t *out) {
-    const float ex = (float)view->eye[0], ey = (float)view->eye[1], ez = (float)view->eye[2], w = (float)view->eye[3];
-    size_t i, count = 0;
-    for (i = 0; i < p->edge_count; ++i) {
-        const plain_edge *e = &p->edges[i];
-        const float *v = positions + 3 * (size_t)e->a;
-        const float *n0 = p->normals + 3 * (size_t)e->face[0], *n1 = p->normals + 3 * (size_t)e->face[1];
-        const float x = ex - w * v[0], y = ey - w * v[1], z = ez - w * v[2];
-        const float d0 = n0[0] * x + n0[1] * y + n0[2] * z, d1 = n1[0] * x + n1[1] * y + n1[2] * z;
-        if (d0 * d1 < 0)
-            out[count++] = (uint32_t)i;
-    }
-    return count;
-}
+#include "meshes.h"
 
 /* How many indices are in one of two rising lists only. */
 static size_t differing(const uint32_t *a, size_t a_count, const sil_edge *b, size_t b_count) {
@@ -167,71 +34,159 @@ static size_t differing(const uint32_t *a, size_t a_count, const sil_edge *b, si
     return a_count + b_count - 2 * both;
 }
 
-/* View number i: an eye moving in small steps, now on one radius, now on another; or along the axes and diagonals, in parallel. */
-static sil_view view_number(size_t i, int axes) {
+enum { PERSPECTIVE, PARALLEL, AXES };
+
+/* View number i of a path that turns by `degrees` a view, or along the axes in turn. */
+static sil_view view_number(size_t i, int kind, double degrees) {
+    const double angle = 0.37 + degrees * SIL_I_PI / 180 * (double)i, radius = 3.5 + 1.5 * sin(0.21 * angle * 7);
     sil_view view;
-    const double angle = 0.37 + 0.05 * (double)i, radius = i % 10 < 5 ? 2.2 : 6;
-    view.eye[0] = axes ? (double)(i % 3 == 0) : radius * cos(angle);
-    view.eye[1] = axes ? (double)(i % 3 == 1) : radius * sin(angle);
-    view.eye[2] = axes ? (double)(i % 3 == 2) : radius * 0.5 * sin(0.3 * angle);
-    view.eye[3] = !axes;
+    view.eye[0] = kind == AXES ? (double)(i % 3 == 0) : radius * cos(angle);
+    view.eye[1] = kind == AXES ? (double)(i % 3 == 1) : radius * sin(angle);
+    view.eye[2] = kind == AXES ? (double)(i % 3 == 2) : radius * 0.5 * sin(0.3 * angle);
+    view.eye[3] = kind == PERSPECTIVE;
     return view;
 }
 
-static void report(FILE *csv, const char *scene, size_t size, const char *subject, double ms, size_t bytes,
-                   size_t errors) {
-    printf("%-12s %-12s %9lu  %-10s %9.3f ms %7.2f ns/edge %11lu bytes  %lu edges differ\n", "extract", scene,
-           (unsigned long)size, subject, ms, 1e6 * ms / (double)size, (unsigned long)bytes, (unsigned long)errors);
-    fprintf(csv, "extract,%s,%lu,%s,%.6f,%lu,%lu\n", scene, (unsigned long)size, subject, ms, (unsigned long)bytes,
-            (unsigned long)errors);
+static void report(FILE *csv, const char *work, const char *scene, size_t size, const char *subject, double ms,
+                   size_t bytes, size_t errors, size_t found) {
+    printf("%-8s %-17s %9zu  %-10s %9.4f ms %8.3f ns/edge %8.1f ns/line %11zu bytes  %zu edges differ\n", work, scene,
+           size, subject, ms, 1e6 * ms / (double)size, found ? 1e6 * ms / (double)found : 0, bytes, errors);
+    fprintf(csv, "%s,%s,%zu,%s,%.6f,%zu,%zu\n", work, scene, size, subject, ms, bytes, errors);
 }
 
-/* poses: of the mesh without and of that with a hierarchy. */
-static void run_views(FILE *csv, const char *scene, const published *p, sil_pose *const poses[2], int axes,
-                      size_t views) {
-    const sil_mesh *mesh = poses[0]->mesh, *other = poses[1]->mesh;
-    uint32_t *found = (uint32_t *)need(mesh->edge_count * sizeof(uint32_t));
-    sil_edge *edges = (sil_edge *)need(mesh->edge_count * sizeof(sil_edge));
-    sil_edge *truth = (sil_edge *)need(mesh->edge_count * sizeof(sil_edge));
-    double *times[3];
-    size_t i, j, lines = 0, errors[3] = {0, 0, 0};
-    times[0] = (double *)need(3 * views * sizeof(double));
-    times[1] = times[0] + views;
-    times[2] = times[1] + views;
-    for (j = 0; j < 3; ++j) /* one subject after the other: each finds in the caches what it left there */
+enum { PUBLISHED, BRUTE, HIERARCHY, TRACKER, SUBJECTS };
+static const char *const subject_names[SUBJECTS] = {"published", "brute", "hierarchy", "tracker"};
+
+/* Room for the answers of all views, taken once. */
+typedef struct answers {
+    uint32_t *found, *moved;
+    sil_edge *edges, *truth;
+    size_t room;
+} answers;
+
+static size_t answer(int subject, const published *p, sil_mesh *const meshes[2], sil_pose *const poses[2],
+                     const sil_view *view, answers *a) {
+    sil_changes changes;
+    changes.entered = a->moved;
+    changes.left = a->moved + a->room;
+    changes.capacity = a->room;
+    switch (subject) {
+    case PUBLISHED:
+        return run_published(p, meshes[0]->rest.position, view, a->found);
+    case TRACKER:
+        return sil_track(meshes[1], poses[1], view, SIL_SILHOUETTE, a->edges, a->room, &changes);
+    default:
+        return sil_extract(meshes[subject == HIERARCHY], poses[subject == HIERARCHY], view, SIL_SILHOUETTE, a->edges,
+                           a->room);
+    }
+}
+
+static size_t wrong_edges(int subject, sil_mesh *mesh, const sil_view *view, size_t count, answers *a) {
+    const int wide = mesh->wide;
+    size_t k, true_count;
+    for (k = 0; k < count && subject != PUBLISHED; ++k)
+        a->found[k] = a->edges[k].edge;
+    mesh->wide = 0; /* without a pose and without vectors: face by face */
+    true_count = sil_extract(mesh, NULL, view, SIL_SILHOUETTE, a->truth, a->room);
+    mesh->wide = wide;
+    return differing(a->found, count, a->truth, true_count);
+}
+
+/* meshes, poses: without and with a hierarchy. */
+static void run_views(FILE *csv, const char *name, const published *p, sil_mesh *const meshes[2],
+                      sil_pose *const poses[2], int kind, size_t views) {
+    static const char *const suffix[3] = {"", "_ortho", "_axes"};
+    const size_t size = meshes[0]->edge_count;
+    double *times = (double *)need(views * sizeof(double)), medians[SUBJECTS];
+    size_t i, found[SUBJECTS], errors[SUBJECTS] = {0}, bytes[SUBJECTS];
+    char scene[64];
+    answers a;
+    int subject;
+    a.room = size;
+    a.found = (uint32_t *)need(3 * size * sizeof(uint32_t));
+    a.moved = a.found + size;
+    a.edges = (sil_edge *)need(size * sizeof(sil_edge));
+    a.truth = (sil_edge *)need(size * sizeof(sil_edge));
+    snprintf(scene, sizeof scene, "%s%s", name, suffix[kind]);
+    for (subject = 0; subject < SUBJECTS; ++subject) {
+        found[subject] = 0;
         for (i = 0; i < views; ++i) {
-            const sil_view view = view_number(i, axes);
+            const sil_view view = view_number(i, kind, 1);
             const double start = now_ms();
-            size_t count, k, wrong, true_count;
-            if (j == 0)
-                count = run_published(p, mesh->rest.position, &view, found);
-            else
-                count =
-                    sil_extract(j == 2 ? other : mesh, poses[j - 1], &view, SIL_SILHOUETTE, edges, mesh->edge_count);
-            times[j][i] = now_ms() - start;
-            if (i % 7) /* the truth takes long, and would empty the caches every time */
-                continue;
-            for (k = 0; k < count && j; ++k)
-                found[k] = edges[k].edge;
-            true_count = sil_extract(mesh, NULL, &view, SIL_SILHOUETTE, truth, mesh->edge_count);
-            wrong = differing(found, count, truth, true_count);
-            errors[j] = wrong > errors[j] ? wrong : errors[j];
-            lines += true_count;
+            const size_t count = answer(subject, p, meshes, poses, &view, &a);
+            times[i] = now_ms() - start;
+            found[subject] += count;
+            if (i % 7 == 0) {
+                const size_t wrong = wrong_edges(subject, meshes[0], &view, count, &a);
+                errors[subject] = wrong > errors[subject] ? wrong : errors[subject];
+            }
         }
-    for (i = 0; i < 3; ++i)
-        qsort(times[i], views, sizeof(double), compare_doubles);
-    report(csv, scene, mesh->edge_count, "published", times[0][views / 2], p->bytes, errors[0]);
-    report(csv, scene, mesh->edge_count, "brute", times[1][views / 2], sil_mesh_get_info(mesh).bytes + mesh->face_count,
-           errors[1]);
-    report(csv, scene, mesh->edge_count, "hierarchy", times[2][views / 2], sil_mesh_get_info(other).hierarchy_bytes,
-           errors[2]);
-    printf("  %.2f %% of the edges are silhouettes; published / hierarchy %.1f, brute / hierarchy %.2f\n",
-           100.0 * (double)lines / (double)(3 * ((views + 6) / 7) * mesh->edge_count),
-           times[0][views / 2] / times[2][views / 2], times[1][views / 2] / times[2][views / 2]);
-    free(found);
-    free(edges);
-    free(truth);
-    free(times[0]);
+        medians[subject] = median(times, views);
+    }
+    bytes[PUBLISHED] = p->bytes;
+    bytes[BRUTE] = sil_mesh_get_info(meshes[0]).bytes + meshes[0]->face_count;
+    bytes[HIERARCHY] = sil_mesh_get_info(meshes[1]).hierarchy_bytes;
+    bytes[TRACKER] = poses[1]->tracked_capacity * sizeof(uint32_t);
+    for (subject = 0; subject < SUBJECTS; ++subject)
+        report(csv, "extract", scene, size, subject_names[subject], medians[subject], bytes[subject], errors[subject],
+               found[subject] / views);
+    printf(
+        "  %zu silhouettes a view, %.2f %%; published / hierarchy %.1f, brute / hierarchy %.2f, published / brute %.1f\n",
+        found[HIERARCHY] / views, 100.0 * (double)found[HIERARCHY] / (double)(views * size),
+        medians[PUBLISHED] / medians[HIERARCHY], medians[BRUTE] / medians[HIERARCHY],
+        medians[PUBLISHED] / medians[BRUTE]);
+    free(times);
+    free(a.found);
+    free(a.edges);
+    free(a.truth);
+}
+
+/* How far the eye may move before a face of the patch changes: the least distance to one of their planes. */
+static double patch_slack(const sil_mesh *mesh, size_t patch, const double eye[3]) {
+    const size_t places = sil_i_patch_places(mesh->patches, patch);
+    double least = 1e9;
+    size_t place;
+    for (place = 0; place < places; ++place) {
+        const uint32_t face = sil_i_face_at(mesh, patch, place);
+        double t = -(double)mesh->rest.plane[3][face];
+        int k;
+        for (k = 0; k < 3; ++k)
+            t += (double)mesh->rest.plane[k][face] * (eye[k] - mesh->rest.center[k]) / mesh->rest.scale;
+        least = fmin(least, fabs(t));
+    }
+    return least * mesh->rest.scale;
+}
+
+/* What exact coherence could save at best: the patches whose deadline (in path length) passes in a frame, of which each
+   would have to be looked at again, against those that the hierarchy looks at in that frame. */
+static void run_deadlines(const sil_mesh *mesh, sil_pose *pose, const char *name) {
+    static const double steps[4] = {0.05, 0.3, 1, 3};
+    const size_t patches = mesh->patches->count, frames = 25;
+    double *deadline = (double *)need(patches * sizeof(double));
+    size_t step, frame, patch;
+    for (step = 0; step < 4; ++step) {
+        size_t due = 0, looked = 0;
+        double path = 0, last[3] = {0, 0, 0};
+        memset(deadline, 0, patches * sizeof(double));
+        for (frame = 0; frame < frames; ++frame) {
+            const sil_view view = view_number(frame, PERSPECTIVE, steps[step]);
+            if (frame)
+                path += sqrt((view.eye[0] - last[0]) * (view.eye[0] - last[0]) +
+                             (view.eye[1] - last[1]) * (view.eye[1] - last[1]) +
+                             (view.eye[2] - last[2]) * (view.eye[2] - last[2]));
+            memcpy(last, view.eye, sizeof last);
+            (void)sil_extract(mesh, pose, &view, SIL_SILHOUETTE, NULL, 0);
+            looked += frame ? pose->looked : 0;
+            for (patch = 0; patch < patches; ++patch)
+                if (deadline[patch] <= path) {
+                    deadline[patch] = path + patch_slack(mesh, patch, view.eye);
+                    due += frame > 0;
+                }
+        }
+        printf("  %s, %.2f degrees a frame: deadlines pass for %zu patches a frame, the hierarchy looks at %zu\n", name,
+               steps[step], due / (frames - 1), looked / (frames - 1));
+    }
+    free(deadline);
 }
 
 static sil_ribbon_desc screen(void) {
@@ -252,7 +207,7 @@ static sil_ribbon_desc screen(void) {
 /* What comes after extraction, for one view; the median of nine runs each. Sizes: faces, edges, edges, and pairs of
    vertices and edges. */
 static void run_rest(FILE *csv, const model *m, const sil_mesh *mesh, sil_pose *pose) {
-    const sil_view view = view_number(1, 0);
+    const sil_view view = view_number(1, PERSPECTIVE, 1);
     const sil_ribbon_desc desc = screen();
     sil_edge *edges = (sil_edge *)need(mesh->edge_count * sizeof *edges);
     const size_t count = sil_extract(mesh, pose, &view, SIL_SILHOUETTE, edges, mesh->edge_count);
@@ -296,19 +251,55 @@ static void run_rest(FILE *csv, const model *m, const sil_mesh *mesh, sil_pose *
     free(ribbons);
 }
 
+/* A moved mesh, as skinning leaves it: new positions, then silhouettes, in every frame. */
+static void run_pose(FILE *csv, const model *m, const sil_mesh *mesh, sil_pose *pose) {
+    sil_edge *edges = (sil_edge *)need(mesh->edge_count * sizeof *edges);
+    double set[9], extract[9];
+    size_t i, count = 0;
+    for (i = 0; i < 9; ++i) {
+        const sil_view view = view_number(i, PERSPECTIVE, 1);
+        const double start = now_ms();
+        (void)sil_pose_set(pose, m->positions, 0);
+        set[i] = now_ms() - start;
+        count = sil_extract(mesh, pose, &view, SIL_SILHOUETTE, edges, mesh->edge_count);
+        extract[i] = now_ms() - start - set[i];
+    }
+    (void)sil_pose_set(pose, NULL, 0);
+    report(csv, "pose_set", m->name, mesh->edge_count, "brute", median(set, 9), 0, 0, count);
+    report(csv, "pose_extract", m->name, mesh->edge_count, "brute", median(extract, 9), 0, 0, count);
+    free(edges);
+}
+
+/* For bench/vtk_feature_lines.py: the numbers of vertices and triangles, then the arrays. */
+static void write_mesh(const model *m) {
+    const char *folder = getenv("BENCH_MESHES");
+    const uint64_t counts[2] = {m->vertex_count, m->index_count / 3};
+    char path[1024];
+    FILE *file;
+    if (!folder || m->index_count > 3000000)
+        return;
+    snprintf(path, sizeof path, "%s/%s_%zu.mesh", folder, m->name, m->index_count / 2);
+    file = fopen(path, "wb");
+    if (!file || fwrite(counts, sizeof counts, 1, file) != 1 ||
+        fwrite(m->positions, 3 * sizeof(float), m->vertex_count, file) != m->vertex_count ||
+        fwrite(m->indices, sizeof(uint32_t), m->index_count, file) != m->index_count || fclose(file) != 0) {
+        fprintf(stderr, "benchmark: cannot write %s\n", path);
+        exit(1);
+    }
+}
+
 static void run_model(FILE *csv, model m, size_t views) {
-    static const char *const subjects[2] = {"brute", "hierarchy"};
     sil_mesh_desc desc;
     sil_mesh *meshes[2];
     sil_pose *poses[2];
     published p;
-    char axis_name[64];
     size_t i;
     memset(&desc, 0, sizeof desc);
     desc.positions = m.positions;
     desc.vertex_count = m.vertex_count;
     desc.indices = m.indices;
     desc.index_count = m.index_count;
+    write_mesh(&m);
     for (i = 0; i < 2; ++i) {
         const double start = now_ms();
         double ms;
@@ -320,16 +311,17 @@ static void run_model(FILE *csv, model m, size_t views) {
             exit(1);
         }
         ms = now_ms() - start;
-        printf("%-12s %-12s %9lu  %-10s %9.3f ms %11lu bytes\n", "create", m.name, (unsigned long)meshes[i]->edge_count,
-               subjects[i], ms, (unsigned long)sil_mesh_get_info(meshes[i]).bytes);
-        fprintf(csv, "create,%s,%lu,%s,%.6f,%lu,0\n", m.name, (unsigned long)meshes[i]->edge_count, subjects[i], ms,
-                (unsigned long)sil_mesh_get_info(meshes[i]).bytes);
+        report(csv, "create", m.name, meshes[i]->edge_count, i ? "hierarchy" : "brute", ms,
+               sil_mesh_get_info(meshes[i]).bytes, 0, 0);
     }
     p = publish(meshes[0]);
-    run_views(csv, m.name, &p, poses, 0, views);
-    snprintf(axis_name, sizeof axis_name, "%s_axes", m.name);
-    run_views(csv, axis_name, &p, poses, 1, views);
-    if (m.vertex_count < 100000) /* all pairs of a larger one take too long */
+    run_views(csv, m.name, &p, meshes, poses, PERSPECTIVE, views);
+    run_views(csv, m.name, &p, meshes, poses, PARALLEL, views);
+    run_views(csv, m.name, &p, meshes, poses, AXES, views / 3);
+    if (m.index_count > 1500000 && m.index_count < 6000000 && strcmp(m.name, "shaft") != 0)
+        run_deadlines(meshes[1], poses[1], m.name);
+    run_pose(csv, &m, meshes[0], poses[0]);
+    if (m.vertex_count < 100000 && m.vertex_count > 30000) /* all pairs of a larger one take too long */
         run_rest(csv, &m, meshes[0], poses[0]);
     free(p.edges);
     free(p.normals);
@@ -342,13 +334,26 @@ static void run_model(FILE *csv, model m, size_t views) {
 }
 
 int main(int argc, char **argv) {
-    const size_t views = is_quick() ? 15 : 101;
+    static const size_t rings[4] = {80, 250, 800, 2580}, sides[4] = {42, 134, 420, 1292};
+    static const size_t square[4] = {58, 183, 578, 1826}, cells[4] = {24, 76, 240, 745};
+    const size_t views = is_quick() ? 31 : 101, sizes = is_quick() ? 3 : 4;
     FILE *csv = open_table(argc, argv, "build/bench/silhouette.csv");
-    run_model(csv, make_torus(250, 134), views);
-    run_model(csv, make_box(76), views);
-    run_model(csv, make_blob("rough_blob", 183, 183, 0.3), views);
-    run_model(csv, make_torus(800, 420), views);
-    run_model(csv, make_blob("blob", 578, 578, 0.1), views);
-    run_model(csv, make_box(240), views);
+    size_t i;
+    model gooch;
+    for (i = 0; i < sizes; ++i) {
+        run_model(csv, make_torus(rings[i], sides[i]), views);
+        run_model(csv, make_blob("blob", square[i], square[i], 0.1), views);
+        run_model(csv, make_shaft(rings[i], sides[i]), views);
+        run_model(csv, make_box(cells[i]), views);
+        run_model(csv, make_blob("rough_blob", square[i], square[i], 0.3), views);
+    }
+    gooch = make_blob("gooch_sphere", 200, 198, 0); /* Gooch 1999, table 1: 78,804 faces */
+    run_model(csv, gooch, views);
+    gooch = make_shaft(103, 123); /* 24,999 */
+    gooch.name = "gooch_s_crank";
+    run_model(csv, gooch, views);
+    gooch = make_shaft(290, 294); /* 169,999 */
+    gooch.name = "gooch_l_crank";
+    run_model(csv, gooch, views);
     return close_table(csv);
 }
