@@ -5,6 +5,9 @@
      Diepstraten, Weiskopf and Ertl, "Transparency in Interactive Technical Illustrations" (2002): faces of transparent
      objects never shine through each other, an opaque thing behind two transparent objects does not show, and
      transparency falls off toward the silhouettes of the transparent object
+   - does so by implicit or explicit interiors (the paper's two methods), for all objects or object by object; shows the n
+     closest layers, or objects of one semantic group through each other; strengthens the shade of opaque objects where
+     they enter transparent ones
    - gives the same picture, bit for bit, in whatever order the objects are drawn; sorts nothing, reads nothing back
      (opaque objects that share a plane are the exception: see LIMITS)
    - shades from cool to warm (Gooch et al. 1999) and draws silhouettes and creases in the right passes, for hosts that
@@ -14,10 +17,7 @@
    DOES NOT
    - create a GL context, load models, find silhouettes or their distances: silhouette.h does the last two, or anything
      else that fills plain arrays
-   - show several layers, semantic groups, or units behind things: version 0.1 has the paper's two methods, implicit and
-     explicit interiors, chosen for a whole frame
-   - draw into multisampled targets: tr_begin returns TR_TARGET_MULTISAMPLED. Render larger and scale down instead, as
-     examples/illustrate.c does
+   - draw by sample: multisampled targets are served by textures of our own with two by two texels a pixel
 
    QUICK START: a triangle's worth of it, given a current context and its getter of function pointers
 
@@ -93,19 +93,20 @@
    Not touched, and expected to be at rest: conditional rendering, transform feedback, clip control's origin, sample
    shading. Clip distances are switched off in each pass; a host whose shaders write them switches them on again after
    tr_next_pass. Under TR_STATE_NONE, tr_begin may still bind and restore when something is created or changed, and does
-   not look at the target: that it is complete and single-sampled is the host's to see to. tr_state then lists what
+   not look at the target: that it is complete is the host's to see to, and wishes.supersample. tr_state then lists what
    differs from pass to pass; all else is to be as in a fresh context, dither off.
    The alpha channel of the target is not written. Of a target with several draw buffers the first is drawn into, the
    others are masked off; ES before 3.2 and WebGL 2 have no such mask: give them a framebuffer with one draw buffer.
    With desc.max_gl_version below 4.0 on a newer context the blend functions of further draw buffers are not kept.
-   glGetError is never called, so that no error of the host's is swallowed.
+   GL_FRAMEBUFFER_SRGB is the host's, except with TR_WISH_SRGB. glGetError is never called, so that no error of the host's is swallowed.
 
    ERRORS, MEMORY, THREADS
    Every function that can fail returns a tr_result and logs through desc.log_fn. A failed tr_begin leaves the state as
    found and nothing allocated that tr_destroy would not free; the next frame may be tried. One heap block a context.
    tr_set_edges and tr_find_outlines make textures of their own when sizes change, and hold them until tr_release.
    Textures are created when a plan first needs them or the size changes (never in a steady frame): 24 bytes a pixel with
-   everything on, see tr_plan.bytes_per_pixel. One context of ours for one GL context, used from the thread that has it current.
+   lines and one layer, 8 or 12 more for each further layer, see tr_plan.bytes_per_pixel and docs/transparency.md. Programs
+   are compiled when a plan first needs them. tr_crossings allocates while it runs. One context of ours for one GL context, used from the thread that has it current.
 
    RECIPES
    - Your own shaders: prepend the strings of tr_glsl() to a vertex and a fragment shader (which then begins without
@@ -116,7 +117,13 @@
      glFrontFace with the opposite of pass.state.front_face before, and with it after drawing them.
    - Lines: fill a buffer with triangles in screen space (sil_ribbons of silhouette.h has the layout: four floats x, y,
      depth, slack as attribute 0, centre x, y as attribute 1), ask for them with wishes.lines, and draw them in passes
-     whose pass.lines is not 0: the creases of an object or its outlines.
+     whose pass.lines is not 0: the creases of an object or its outlines; dashed ones for TR_LINES_HIDDEN, wide ones for
+     TR_LINES_OUTER.
+   - Interiors: TR_INTERIOR_AUTO wants facts, as flags of each object: TR_CLOSED, TR_HOLDING. Objects that differ, and
+     groups, are told apart by the number that shaders get: pass tr_object_code() where you passed the id.
+   - Opaque things that enter glass: tr_crossings() for each opaque object once its place is known, all segments to
+     tr_set_crossings(), wishes.options TR_WISH_ENTERING, frame.enter_distance, and the object's range and model matrix in
+     its material. Your own opaque shader calls color = tr_strengthen(color, position, range) before tr_surface.
    - View-dependent alpha: attribute 2 holds each vertex's distance to the nearest silhouette (sil_distances),
      material.d_max the largest (sil_max_distance). Where that shows bands or seams: the next section.
    - Existing depth: the picture is drawn into the target depth tested, so what the host drew before hides it.
@@ -151,6 +158,9 @@
      depth tested against them by fixed function: where an opaque surface and the front-most transparent one have the
      same depth the opaque one is seen through the other, if the driver's depth test and its gl_FragCoord.z agree.
    - Where two opaque surfaces have the same depth, the one drawn first is seen, as with any depth test.
+   - Layers and members of groups: at most TR_MAX_LAYERS a pixel. With TR_BLENDING_PUBLISHED and several layers the sum is
+     clamped layer by layer, but for the background's part, which the target's format clamps once.
+   - Distances between members of a group, and to crossings, are those of 32-bit floats in the space they are given in.
    - Coincident front faces count as one surface, that of the lowest object id. With implicit interiors another object's
      coincident front face limits what is seen through it as if it were behind; with explicit ones it does not.
      Ids are below 2^24 - 1.

@@ -64,7 +64,11 @@ static const char HELP[] =
     "                           how much of what is behind shines through, 0 to 1 each; for --blend normalised and\n"
     "                           published\n"
     "  --interior HOW           auto (default): explicit where transparent parts have inner walls, else implicit;\n"
-    "                           implicit; explicit; published: implicit as in the paper, faults included\n"
+    "                           implicit; explicit; published: implicit as in the paper, faults included; layers:N:\n"
+    "                           the N closest transparent surfaces, 1 to 8\n"
+    "  --group PART[,PART...]   transparent parts that show through each other; each --group is one of its own\n"
+    "  --group-distance D       only where closer than D along the view, in the model's units\n"
+    "  --enter SHADE            darken opaque parts where they enter transparent ones, by 0 to 1; default 0\n"
     "  --quality N              samples per pixel along each axis, 1 to 8; default 3\n"
     "  --up AXIS                y or z, where a file's convention is wrong\n"
     "  --gles                   OpenGL ES 3 instead of desktop OpenGL\n"
@@ -74,9 +78,14 @@ static const char HELP[] =
     "\n"
     "Exit status: 0 done, 1 failed, 2 wrong usage. One line on stderr says what was wrong.\n";
 
-typedef enum fate { MAKE_TRANSPARENT, MAKE_OPAQUE, HIDE } fate;
+typedef enum fate { MAKE_TRANSPARENT, MAKE_OPAQUE, HIDE, JOIN } fate;
 
-static const char *const FATES[] = {"--transparent", "--opaque", "--hide"};
+static const char *const FATES[] = {"--transparent", "--opaque", "--hide", "--group"};
+
+/* What the command line says of each part. */
+typedef struct wishes {
+    unsigned char *transparent, *groups;
+} wishes;
 
 typedef struct selector {
     fate fate;
@@ -85,6 +94,7 @@ typedef struct selector {
 
 typedef struct options {
     const char **models;
+    int group_count;
     selector *selectors;
     size_t model_count, selector_count;
     const char *output;
@@ -406,10 +416,31 @@ static int set_interior(options *o, const char *value) {
     static const char *const words[] = {"auto", "implicit", "explicit", "published", NULL};
     static const illustrate_interior interiors[] = {INTERIOR_AUTO, INTERIOR_IMPLICIT, INTERIOR_EXPLICIT,
                                                     INTERIOR_PUBLISHED};
-    int chosen, result = read_choice("--interior", value, words, &chosen);
+    int chosen, result;
+    if (strncmp(value, "layers:", 7) == 0) {
+        o->job.interior = INTERIOR_LAYERS;
+        if (read_whole(value + 7, strlen(value + 7), 1, 8, &o->job.layers))
+            return DONE;
+        return misused("--interior %s: not layers:N with a whole number from 1 to 8", value);
+    }
+    result = read_choice("--interior", value, words, &chosen);
     if (result == DONE)
         o->job.interior = interiors[chosen];
     return result;
+}
+
+static int set_group_distance(options *o, const char *value) {
+    if (!read_number(value, strlen(value), 1e-30, 1e30, &o->job.group_distance))
+        return misused("--group-distance %s: not a positive number", value);
+    return DONE;
+}
+
+static int set_enter(options *o, const char *value) {
+    double shade;
+    if (!read_number(value, strlen(value), 0, 1, &shade))
+        return misused("--enter %s: not a number from 0 to 1", value);
+    o->job.enter = (float)shade;
+    return DONE;
 }
 
 static int set_up(options *o, const char *value) {
@@ -489,6 +520,12 @@ static int set_opaque(options *o, const char *value) {
     return add_selector(o, MAKE_OPAQUE, value);
 }
 
+static int set_group(options *o, const char *value) {
+    if (++o->group_count > 127)
+        return misused("--group: more than 127 groups");
+    return add_selector(o, JOIN, value);
+}
+
 static int set_hide(options *o, const char *value) {
     return add_selector(o, HIDE, value);
 }
@@ -546,6 +583,9 @@ static const option OPTIONS[] = {{"--output", true, set_output},
                                  {"--blend", true, set_blend},
                                  {"--weights", true, set_weights},
                                  {"--interior", true, set_interior},
+                                 {"--group", true, set_group},
+                                 {"--group-distance", true, set_group_distance},
+                                 {"--enter", true, set_enter},
                                  {"--quality", true, set_quality},
                                  {"--up", true, set_up},
                                  {"--gles", false, set_gles},
@@ -743,19 +783,21 @@ static bool selects(const char *name, const char *path) {
         }
 }
 
-static void choose(scene *s, unsigned char *transparent, size_t part, fate what) {
+static void choose(scene *s, const wishes *w, size_t part, fate what, int group) {
     if (what == HIDE)
         s->parts[part].hidden = true;
+    else if (what == JOIN)
+        w->groups[part] = (unsigned char)group;
     else
-        transparent[part] = what == MAKE_TRANSPARENT ? PART_TRANSPARENT : PART_OPAQUE;
+        w->transparent[part] = what == MAKE_TRANSPARENT ? PART_TRANSPARENT : PART_OPAQUE;
 }
 
-static int apply_name(scene *s, unsigned char *transparent, const char *name, fate what) {
+static int apply_name(scene *s, const wishes *w, const char *name, fate what, int group) {
     size_t found = 0;
     size_t exact = scene_find_part(s, name); /* even with a * or ? in its name */
     for (size_t i = 0; i < s->part_count; i++)
         if (exact == SIZE_MAX ? selects(name, s->parts[i].name) : i == exact) {
-            choose(s, transparent, i, what);
+            choose(s, w, i, what, group);
             found++;
         }
     if (found > 0)
@@ -765,13 +807,14 @@ static int apply_name(scene *s, unsigned char *transparent, const char *name, fa
     return misused("%s %s: no such part; nearest: %s", FATES[what], name, nearest);
 }
 
-static int apply_selectors(const options *o, scene *s, unsigned char *transparent) {
-    int result = DONE;
+static int apply_selectors(const options *o, scene *s, const wishes *w) {
+    int result = DONE, group = 0;
     for (size_t i = 0; i < o->selector_count && result == DONE; i++) {
         char *rest = NULL;
+        group += o->selectors[i].fate == JOIN;
         for (char *name = strtok_r(o->selectors[i].names, ",", &rest); name && result == DONE;
              name = strtok_r(NULL, ",", &rest))
-            result = apply_name(s, transparent, name, o->selectors[i].fate);
+            result = apply_name(s, w, name, o->selectors[i].fate, group);
     }
     double low[3], high[3];
     if (result == DONE && !o->list && !scene_bounds(s, low, high))
@@ -828,13 +871,13 @@ static int finish_picture(const options *o, const illustrate_result *drawn) {
     return finish_stdout();
 }
 
-static int draw_svg(const options *o, const scene *s, const unsigned char *transparent) {
+static int draw_svg(const options *o, const scene *s, const wishes *w) {
     illustrate_job job = o->job;
     illustrate_result drawn = {0};
     char message[256];
     size_t length = 0;
     job.scene = s;
-    job.transparent = transparent;
+    job.transparent = w->transparent;
     char *text = illustrate_svg(&job, &length, &drawn);
     if (!text)
         return failed("%s: %s", o->models[0], drawn.message);
@@ -843,7 +886,7 @@ static int draw_svg(const options *o, const scene *s, const unsigned char *trans
     return ok ? DONE : failed("%s: %s", o->output, message);
 }
 
-static int draw(const options *o, const scene *s, const unsigned char *transparent) {
+static int draw(const options *o, const scene *s, const wishes *w) {
     headless context;
     char message[512];
     double start = seconds_now();
@@ -855,7 +898,8 @@ static int draw(const options *o, const scene *s, const unsigned char *transpare
     illustrate_job job = o->job;
     illustrate_result drawn = {0};
     job.scene = s;
-    job.transparent = transparent;
+    job.transparent = w->transparent;
+    job.groups = w->groups;
     job.progress = show_progress;
     start = seconds_now();
     bool ok = illustrate_render(&job, headless_get_proc, &drawn);
@@ -880,16 +924,18 @@ static int run(const options *o) {
     if (o->output && !write_png_possible(o->output, message, sizeof message))
         return failed("%s: %s", o->output, message);
     scene *s = load_models(o, &result);
-    unsigned char *transparent = s ? calloc(s->part_count + 1, 1) : NULL;
-    if (s && !transparent)
+    size_t parts = s ? s->part_count + 1 : 1;
+    wishes w = {calloc(parts, 1), calloc(parts, 1)};
+    if (s && (!w.transparent || !w.groups))
         result = failed("out of memory");
     if (result == DONE)
-        result = apply_selectors(o, s, transparent);
+        result = apply_selectors(o, s, &w);
     if (result == DONE && o->list)
         result = list_parts(s);
     if (result == DONE && o->output)
-        result = o->svg ? draw_svg(o, s, transparent) : draw(o, s, transparent);
-    free(transparent);
+        result = o->svg ? draw_svg(o, s, &w) : draw(o, s, &w);
+    free(w.transparent);
+    free(w.groups);
     scene_destroy(s);
     return result;
 }

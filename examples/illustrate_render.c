@@ -48,6 +48,7 @@ typedef struct figure {
     double model_view[16];
     bool mirrored;
     float d_max;
+    int crossing_first, crossing_count; /* where it enters transparent parts, among the segments of all */
     size_t edge_set; /* of a transparent figure: which of the renderer's, from 1 */
     tr_edge_set alpha_edges;
     GLuint array, alpha_buffer, line_array, line_buffer; /* alpha_buffer: distances, or numbers of triangles */
@@ -77,6 +78,8 @@ typedef struct renderer {
     tr_edges *edges; /* of the transparent figures, one after the other, until they are uploaded */
     size_t edge_sets;
     tr_interior interior;
+    tr_wishes wishes; /* as drawn */
+    double radius;    /* of the scene */
     GLuint framebuffer, color, depth;
     int tile_width, tile_height, margin; /* of tiles, around what is kept of them: lines are whole across borders */
     double pass_ms[TR_MAX_PASSES], cpu_ms;
@@ -433,6 +436,7 @@ static bool make_figures(renderer *r) {
         f->phantom = transparent[i] && r->job->phantom;
         f->object.flags = transparent[i] && !f->phantom ? (uint32_t)TR_TRANSPARENT : 0;
         if (f->object.flags & TR_TRANSPARENT) {
+            f->object.flags |= TR_GROUP(r->job->groups ? r->job->groups[i] : 0);
             f->surface = extra++;
             ok = refine_surface(r, &s->meshes[f->part->mesh], &r->surfaces[f->surface]) &&
                  (r->alpha != TR_ALPHA_CANDIDATES || flatten_surface(r, &r->surfaces[f->surface]));
@@ -514,6 +518,7 @@ static bool make_camera(renderer *r) {
     if (!(radius > 0) || !(radius < 1e30))
         return broken(r, "the scene has no extent");
     camera_axes(job, axes);
+    r->radius = radius;
     double distance = 4.2 * radius;
     make_view(r, (const double(*)[3])axes, center, distance);
     extent e = measure(r, !job->ortho);
@@ -1014,6 +1019,13 @@ static tr_frame make_frame(const renderer *r) {
     frame.height = r->tile_height;
     frame.scene = tr_scene_count(r->figures, r->figure_count, sizeof *r->figures);
     frame.wishes.interior = r->interior;
+    frame.wishes.layers = r->interior == TR_INTERIOR_LAYERS ? (uint32_t)job->layers : 0;
+    frame.group_distance = (float)job->group_distance;
+    if (job->enter > 0) {
+        frame.wishes.options = TR_WISH_ENTERING;
+        frame.enter_strength = job->enter;
+        frame.enter_distance = (float)(0.06 * r->radius);
+    }
     frame.wishes.blending = blendings[job->blending];
     frame.wishes.alpha = r->edge_sets > 0 ? r->alpha : TR_ALPHA_DISTANCE;
     frame.wishes.lines = (job->creases ? (uint32_t)TR_LINES_CREASES : 0u) |
@@ -1050,7 +1062,10 @@ static void draw_surface(renderer *r, const tr_pass *pass, const figure *f, cons
     material.d_max = f->d_max;
     material.k = (float)wanted_k(r);
     material.edges = &f->alpha_edges;
-    material.object = f->object.id;
+    material.object = tr_object_code(&f->object, &r->wishes);
+    to_float(f->model_view, material.model);
+    material.crossing_first = f->crossing_first;
+    material.crossing_count = f->crossing_count;
     tr_set_material(r->tr, pass, &material);
     glFrontFace(f->mirrored != s->inward ? GL_CW : GL_CCW);
     glBindVertexArray(f->array);
@@ -1101,6 +1116,8 @@ static bool draw_tile(renderer *r, int x, int y, const float background[3]) {
     double projection[16], since;
     int index = 0;
     tile_projection(r, x - r->margin, y - r->margin, projection);
+    to_float(projection, frame.projection);
+    r->wishes = frame.wishes;
     if (!upload_all_lines(r, projection))
         return false;
     glBindFramebuffer(GL_FRAMEBUFFER, r->framebuffer);
@@ -1254,7 +1271,13 @@ static const char *alpha_name(tr_alpha alpha) {
 }
 
 static const char *interior_name(tr_interior interior) {
-    return interior == TR_INTERIOR_EXPLICIT ? "explicit" : interior == TR_INTERIOR_IMPLICIT ? "implicit" : "published";
+    static const char *const names[] = {"implicit", "published", "explicit", "chosen part by part", "layers"};
+    return names[interior];
+}
+
+static const char *drawn_interior(const renderer *r) {
+    const tr_plan *plan = tr_get_info(r->tr).plan;
+    return plan->mixed ? "mixed" : interior_name(plan->interior);
 }
 
 static void put_passes(const renderer *r, text *t) {
@@ -1276,7 +1299,7 @@ static void explain(renderer *r) {
     text t = {NULL, 0, 0, false};
     size_t listed = 0;
     put(&t, "{\n  \"style\": \"%s\",\n  \"interior\": \"%s\",\n  \"alpha\": \"%s\",\n  \"transparent\": [",
-        styles[r->style], interior_name(r->interior), alpha_name(r->alpha));
+        styles[r->style], drawn_interior(r), alpha_name(r->alpha));
     for (size_t i = 0; i < r->figure_count; ++i)
         if (r->figures[i].object.flags & TR_TRANSPARENT) {
             put(&t, listed++ ? ", " : "");
@@ -1360,23 +1383,70 @@ static bool is_thin_walled(const surface *s) {
     return 2 * thin > tried;
 }
 
-/* Explicit where the transparent parts are thin-walled; the larger ones decide. */
-static tr_interior choose_interior(const renderer *r) {
+/* Closed parts are told for themselves: thin walls mean that what is inside lies in a hollow, not in the solid. Sheets
+ * go with the larger ones. */
+static void note_interiors(renderer *r) {
     double hollow = 0, solid = 0;
-    if (r->job->interior != INTERIOR_AUTO)
-        return r->job->interior == INTERIOR_EXPLICIT    ? TR_INTERIOR_EXPLICIT
-               : r->job->interior == INTERIOR_PUBLISHED ? TR_INTERIOR_IMPLICIT_PUBLISHED
-                                                        : TR_INTERIOR_IMPLICIT;
     for (size_t i = 0; i < r->figure_count; ++i) {
-        const surface *s = &r->surfaces[r->figures[i].part->mesh];
-        if ((r->figures[i].object.flags & TR_TRANSPARENT) && !s->sheet) {
-            if (is_thin_walled(s))
-                hollow += s->box_volume;
-            else
-                solid += s->box_volume;
-        }
+        figure *f = &r->figures[i];
+        const surface *s = &r->surfaces[f->part->mesh];
+        if (!(f->object.flags & TR_TRANSPARENT) || s->sheet)
+            continue;
+        bool thin = is_thin_walled(s);
+        f->object.flags |= TR_CLOSED | (thin ? 0u : (uint32_t)TR_HOLDING);
+        *(thin ? &hollow : &solid) += s->box_volume;
     }
-    return hollow > solid ? TR_INTERIOR_EXPLICIT : TR_INTERIOR_IMPLICIT;
+    for (size_t i = 0; i < r->figure_count; ++i)
+        if ((r->figures[i].object.flags & (TR_TRANSPARENT | TR_CLOSED)) == TR_TRANSPARENT)
+            r->figures[i].object.flags |= hollow > solid ? TR_EXPLICIT : TR_IMPLICIT;
+}
+
+static tr_interior choose_interior(renderer *r) {
+    static const tr_interior interiors[] = {TR_INTERIOR_AUTO, TR_INTERIOR_IMPLICIT, TR_INTERIOR_EXPLICIT,
+                                            TR_INTERIOR_IMPLICIT_PUBLISHED, TR_INTERIOR_LAYERS};
+    if (r->job->interior == INTERIOR_AUTO)
+        note_interiors(r);
+    return interiors[r->job->interior];
+}
+
+static tr_mesh crossing_mesh(const renderer *r, const figure *f) {
+    const surface *s = &r->surfaces[f->part->mesh];
+    tr_mesh mesh;
+    mesh.positions = s->positions;
+    mesh.indices = s->indices;
+    mesh.vertex_count = s->vertex_count;
+    mesh.index_count = s->index_count;
+    to_float(f->model_view, mesh.model);
+    return mesh;
+}
+
+/* Where opaque parts enter transparent ones, in eye space. */
+static bool find_crossings(renderer *r) {
+    tr_mesh *others = malloc((r->figure_count + 1) * sizeof *others);
+    size_t other_count = 0, total = 0;
+    float *segments = NULL;
+    bool ok = others != NULL;
+    for (size_t i = 0; ok && i < r->figure_count; ++i)
+        if (r->figures[i].object.flags & TR_TRANSPARENT)
+            others[other_count++] = crossing_mesh(r, &r->figures[i]);
+    for (size_t i = 0; ok && i < r->figure_count; ++i) {
+        figure *f = &r->figures[i];
+        tr_mesh mesh = crossing_mesh(r, f);
+        bool opaque = !(f->object.flags & TR_TRANSPARENT);
+        size_t count = opaque ? tr_crossings(&mesh, others, other_count, NULL, 0) : 0;
+        float *more = count < SIZE_MAX / 64 - total ? realloc(segments, (total + count + 1) * 6 * sizeof *more) : NULL;
+        segments = more ? more : segments;
+        ok = more != NULL;
+        if (ok && count)
+            tr_crossings(&mesh, others, other_count, segments + 6 * total, count);
+        f->crossing_first = (int)total;
+        f->crossing_count = ok ? (int)count : 0;
+        total += ok ? count : 0;
+    }
+    tr_result result = ok ? tr_set_crossings(r->tr, segments, total) : TR_OUT_OF_MEMORY;
+    free(others);
+    free(segments);
+    return result == TR_OK ? true : broken(r, "where parts enter others: %s", tr_result_string(result));
 }
 
 static void tr_said(tr_log_level level, tr_result code, const char *what, void *user) {
@@ -1461,6 +1531,7 @@ bool illustrate_render(const illustrate_job *job, void (*(*get_proc)(const char 
         r.style = found.transparent || found.transparent_two_sided ? STYLE_HODGES : STYLE_OPAQUE;
     }
     r.interior = ok ? choose_interior(&r) : TR_INTERIOR_IMPLICIT;
+    ok = ok && (job->enter <= 0 || find_crossings(&r));
     if (ok && job->verbose)
         fprintf(stderr, "style %s, %s interiors, %zu parts\n", r.style == STYLE_HODGES ? "hodges" : "opaque or lines",
                 interior_name(r.interior), r.figure_count);

@@ -9,12 +9,14 @@
 
 typedef enum illustrate_style { STYLE_AUTO, STYLE_HODGES, STYLE_LINES, STYLE_OPAQUE } illustrate_style;
 typedef enum illustrate_shade { SHADE_COOL_TO_WARM, SHADE_FLAT } illustrate_shade;
-/* AUTO: explicit where transparent parts have inner walls, else implicit. PUBLISHED: implicit, with the paper's faults. */
+/* AUTO: explicit for transparent parts with inner walls, else implicit. PUBLISHED: implicit, with the paper's faults.
+ * LAYERS: the closest transparent surfaces, whatever they belong to. */
 typedef enum illustrate_interior {
     INTERIOR_AUTO,
     INTERIOR_IMPLICIT,
     INTERIOR_EXPLICIT,
-    INTERIOR_PUBLISHED
+    INTERIOR_PUBLISHED,
+    INTERIOR_LAYERS
 } illustrate_interior;
 typedef enum illustrate_blend { BLEND_OVER, BLEND_NORMALISED, BLEND_PUBLISHED } illustrate_blend;
 /* How heavy lines are: silhouette.h's conventions. */
@@ -49,7 +51,11 @@ typedef struct illustrate_job {
     int alpha_quality;       /* rung of the alpha ladder, 1 to 4; 0: 3 */
     illustrate_blend blending;
     illustrate_interior interior;
-    bool explain, verbose; /* explain: fill explain_json; verbose: lines about the path taken may go to stderr */
+    int layers;                  /* of INTERIOR_LAYERS, 1 to 8 */
+    const unsigned char *groups; /* per part, 1 to 127, 0: of none; transparent parts of one show through each other */
+    double group_distance;       /* along the view, units of the scene; 0: however far */
+    float enter;                 /* shade taken from opaque parts where they enter transparent ones, 0 to 1 */
+    bool explain, verbose;       /* explain: fill explain_json; verbose: lines about the path taken may go to stderr */
     void (*progress)(const char *what, double fraction, void *user); /* may be NULL; fraction 0 to 1 */
     void *user;
 } illustrate_job;

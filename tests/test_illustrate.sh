@@ -335,6 +335,12 @@ wrong 'there are auto, hodges, lines and opaque' model:mug -o out/picture.png --
 wrong 'cool-to-warm and flat' model:mug -o out/picture.png --shade dark
 wrong 'over, normalised and published' model:mug -o out/picture.png --blend under
 wrong 'auto, implicit, explicit and published' model:mug -o out/picture.png --interior none
+wrong 'layers:N with a whole number from 1 to 8' model:mug -o out/picture.png --interior layers:9
+wrong 'layers:N with a whole number from 1 to 8' model:mug -o out/picture.png --interior layers:
+wrong 'no such part' model:mug -o out/picture.png --group spoon
+wrong 'names no part' model:mug -o out/picture.png --group ,
+wrong 'not a positive number' model:mug -o out/picture.png --group-distance 0
+wrong 'not a number from 0 to 1' model:mug -o out/picture.png --enter 1.5
 wrong 'y and z' model:mug -o out/picture.png --up x
 wrong 'not known' model:mug -o out/picture.png --lines wrinkles
 wrong 'not known' model:mug -o out/picture.png --lines ''
@@ -363,7 +369,7 @@ refuses 1 'is a folder' model:mug -o in/folder.png
 run --help
 check '--help' [ "$status" -eq 0 ]
 for option in output style size view ortho transparent opaque hide list lines shade background k blend weights \
-    interior quality up gles explain verbose version; do
+    interior group group-distance enter quality up gles explain verbose version; do
     check "--help names --$option" grep -q -e "--$option" stdout
 done
 run --version
@@ -402,7 +408,7 @@ draws 64 48 --view=-400.5,-90 --ortho model:mug
 for extra in '--style hodges' '--style lines' '--style opaque' '--lines all:3' '--lines none' '--shade flat' \
     '--background none' '--background #102030' '--k 2' '--blend over' '--blend normalised' '--blend published' \
     '--weights 0.7,0.3' \
-    '--interior implicit' '--interior explicit' '--interior published' '--gles' '--hide box' '--opaque mug' \
+    '--interior implicit' '--interior explicit' '--interior layers:3' '--group mug,box' '--enter 0.5' '--interior published' '--gles' '--hide box' '--opaque mug' \
     '--transparent mug/box' '--hide b?x --opaque *y'; do
     set -f
     draws 64 48 model:mug $extra
