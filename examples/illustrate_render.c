@@ -49,7 +49,7 @@ typedef struct figure {
     bool mirrored;
     float d_max;
     int crossing_first, crossing_count; /* where it enters transparent parts, among the segments of all */
-    size_t edge_set; /* of a transparent figure: which of the renderer's, from 1 */
+    size_t edge_set;                    /* of a transparent figure: which of the renderer's, from 1 */
     tr_edge_set alpha_edges;
     GLuint array, alpha_buffer, line_array, line_buffer; /* alpha_buffer: distances, or numbers of triangles */
     sil_edge *edges;
