@@ -1685,17 +1685,11 @@ static const char *const tr_i_shader_surface_vertex_glsl[] = {
 #define TR_I_GL_READ_FRAMEBUFFER_BINDING 0x8CAAu
 #define TR_I_GL_RGBA 0x1908u
 #define TR_I_GL_RGBA8 0x8058u
-#define TR_I_GL_RGBA32F 0x8814u
 #define TR_I_GL_R32UI 0x8236u
 #define TR_I_GL_RED_INTEGER 0x8D94u
 #define TR_I_GL_RG16UI 0x823Au
 #define TR_I_GL_RG_INTEGER 0x8228u
 #define TR_I_GL_UNSIGNED_SHORT 0x1403u
-#define TR_I_GL_UNPACK_SWAP_BYTES 0x0CF0u
-#define TR_I_GL_UNPACK_ROW_LENGTH 0x0CF2u
-#define TR_I_GL_UNPACK_SKIP_ROWS 0x0CF3u
-#define TR_I_GL_UNPACK_SKIP_PIXELS 0x0CF4u
-#define TR_I_GL_UNPACK_ALIGNMENT 0x0CF5u
 #define TR_I_GL_UNSIGNED_INT 0x1405u
 #define TR_I_GL_SAMPLER_BINDING 0x8919u
 #define TR_I_GL_SAMPLES 0x80A9u
@@ -4063,38 +4057,9 @@ static void tr_i_upload_edges(tr_context *tr, const tr_edges *edges, size_t coun
     }
 }
 
-/* What uploads depend on, set as in a fresh context and put back. */
-static const tr_i_u tr_i_unpack_names[] = {TR_I_GL_UNPACK_ROW_LENGTH, TR_I_GL_UNPACK_SKIP_ROWS,
-                                           TR_I_GL_UNPACK_SKIP_PIXELS, TR_I_GL_UNPACK_ALIGNMENT,
-                                           TR_I_GL_UNPACK_SWAP_BYTES};
-#define TR_I_UNPACK_COUNT 5
-
-static tr_result tr_i_place_edges(tr_context *tr, const tr_edges *edges, size_t count, tr_edge_set *sets,
-                                  const size_t texels[TR_I_EDGE_TEXTURE_COUNT]) {
-    int32_t unit = 0, texture = 0, buffer = 0, unpack[TR_I_UNPACK_COUNT] = {0, 0, 0, 0, 0};
-    int names = tr->es ? TR_I_UNPACK_COUNT - 1 : TR_I_UNPACK_COUNT, i;
-    for (i = 0; i < names; ++i) {
-        tr->gl.GetIntegerv(tr_i_unpack_names[i], &unpack[i]);
-        tr->gl.PixelStorei(tr_i_unpack_names[i], tr_i_unpack_names[i] == TR_I_GL_UNPACK_ALIGNMENT ? 4 : 0);
-    }
-    tr->gl.GetIntegerv(TR_I_GL_PIXEL_UNPACK_BUFFER_BINDING, &buffer);
-    tr->gl.BindBuffer(TR_I_GL_PIXEL_UNPACK_BUFFER, 0);
-    tr->gl.GetIntegerv(TR_I_GL_ACTIVE_TEXTURE, &unit);
-    tr->gl.ActiveTexture(TR_I_GL_TEXTURE0 + (tr_i_u)tr->desc.first_texture_unit);
-    tr->gl.GetIntegerv(TR_I_GL_TEXTURE_BINDING_2D, &texture);
-    for (i = 0; i < TR_I_EDGE_TEXTURE_COUNT; ++i)
-        tr_i_fit_array(tr, i, texels[i]);
-    tr_i_upload_edges(tr, edges, count, sets);
-    tr->gl.BindTexture(TR_I_GL_TEXTURE_2D, (tr_i_u)texture);
-    tr->gl.ActiveTexture((tr_i_u)unit);
-    tr->gl.BindBuffer(TR_I_GL_PIXEL_UNPACK_BUFFER, (tr_i_u)buffer);
-    for (i = 0; i < names; ++i)
-        tr->gl.PixelStorei(tr_i_unpack_names[i], unpack[i]);
-    return TR_OK;
-}
-
 TR_I_API tr_result tr_set_edges(tr_context *tr, const tr_edges *edges, size_t count, tr_edge_set *sets) {
     size_t total[TR_I_EDGE_TEXTURE_COUNT] = {0, 0}, i;
+    int32_t saved[8];
     if (!tr || (count && (!edges || !sets)))
         return TR_INVALID_ARGUMENT;
     if (tr->in_frame)
@@ -4118,7 +4083,12 @@ TR_I_API tr_result tr_set_edges(tr_context *tr, const tr_edges *edges, size_t co
         tr_i_drop_edges(tr);
         return TR_OK;
     }
-    return tr_i_place_edges(tr, edges, count, sets, total);
+    tr_i_pixel_storage(tr, saved, 0);
+    for (i = 0; i < TR_I_EDGE_TEXTURE_COUNT; ++i)
+        tr_i_fit_array(tr, (int)i, total[i]);
+    tr_i_upload_edges(tr, edges, count, sets);
+    tr_i_pixel_storage(tr, saved, 1);
+    return TR_OK;
 }
 
 /* ---- the sequence ----------------------------------------------------------------------------------------------- */

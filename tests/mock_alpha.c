@@ -206,7 +206,7 @@ static tr_context *open_context(const char *version, int32_t max_texture_size) {
     driver.unpack[5] = 1; /* what a host has set: alignment, a row length, a buffer */
     driver.unpack[2] = 77;
     driver.unpack_buffer = 55;
-    driver.bound[8] = 44;
+    driver.bound[8 + TR_I_CROSSINGS] = 44; /* the unit that uploads go through */
     desc.get_proc = get_proc;
     desc.log_fn = keep_text;
     desc.alloc_fn = count_alloc;
@@ -289,7 +289,7 @@ static void expect_host_state(void) {
     assert_int_equal(driver.unpack[5], 1);
     assert_int_equal(driver.unpack[2], 77);
     assert_int_equal(driver.unpack_buffer, 55);
-    assert_int_equal(driver.bound[8], 44);
+    assert_int_equal(driver.bound[8 + TR_I_CROSSINGS], 44);
 }
 
 /* Several objects in two textures, over the ends of rows: each one's segments and lists are where its set says. */

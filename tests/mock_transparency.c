@@ -156,7 +156,6 @@ FAKE(GetShaderInfoLog, (U a, I b, I *c, char *d), (void)a; (void)c; snprintf(d, 
 FAKE(GetProgramiv, (U a, U b, I *c), (void)a; (void)b; *c = driver.fail_compile != 2;)
 FAKE(GetShaderiv, (U a, U b, I *c), (void)a; (void)b; *c = driver.fail_compile != 1;)
 FAKE(LinkProgram, (U a), (void)a;)
-FAKE(PixelStorei, (U a, I b), (void)a; (void)b;)
 FAKE(PolygonMode, (U a, U b), (void)a; (void)b;)
 FAKE(PixelStorei, (U a, I b), (void)a; (void)b;)
 FAKE(ReadBuffer, (U a), (void)a;)

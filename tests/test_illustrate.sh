@@ -322,6 +322,9 @@ done
 for k in '' -1 nan inf 2x 1001; do
     wrong 'from 0 to 1000' model:mug -o out/picture.png --k "$k"
 done
+for n in '' 0 5 -1 2.5 x; do
+    wrong 'from 1 to 4' model:mug -o out/picture.png --alpha-quality "$n"
+done
 for weights in '' 1 '1,' 2,0 0,2 -1,0 nan,nan; do
     wrong 'OPAQUE,BACKGROUND' model:mug -o out/picture.png --weights "$weights"
 done

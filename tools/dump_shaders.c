@@ -76,9 +76,11 @@ static bool dump_version(const char *folder, int version, bool reversed) {
         tr_i_source source;
         char name[32];
         ok = ok && dump_variants(folder, version, reversed, (tr_stage)stage);
-        for (int program = 0; program < TR_I_PROGRAM_VARIANT; ++program) {
+        for (int program = 0; program < TR_I_PROGRAM_COUNT; ++program) {
+            if (program >= TR_I_PROGRAM_VARIANT && program < TR_I_PROGRAM_ALPHA)
+                continue; /* those are made by key: above */
             tr_i_program_source(&source, program, 0, (tr_stage)stage, es, reversed);
-            snprintf(name, sizeof name, "tr_program_%02d", program);
+            snprintf(name, sizeof name, "tr_program_%03d", program);
             ok = ok && dump(folder, name, version, reversed, (tr_stage)stage, &source, "");
         }
         for (int rule = 0; rule < TR_RULE_COUNT; ++rule) {
