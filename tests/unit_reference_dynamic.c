@@ -572,6 +572,68 @@ static void hollow_occluders_are_several_layers(void **state) {
     free(s);
 }
 
+/* ---- rooms and trees: figures 5 and 6 ---- */
+
+/* Two walls with doorways that overlap in part: pixels 14 to 17 of the near one, 16 to 19 of the far one. */
+static void a_thing_two_rooms_away(void **state) {
+    (void)state;
+    stage *s = new_stage();
+    square(s, TARGET, 0);
+    size_t far_wall = add_object(s, 0), near_wall = add_object(s, 0);
+    add_sheet(s, far_wall, -3, -3, 0, 3, 1);
+    add_sheet(s, far_wall, 0.5, -3, 3, 3, 1);
+    add_sheet(s, near_wall, -3, -3, -0.25, 3, 2);
+    add_sheet(s, near_wall, 0.25, -3, 3, 3, 2);
+    render(s);
+    double a = 1 - sqrt(0.7), edge = 1 - sqrt(0.9), ring = 1 - sqrt(0.675);
+    EXPECT(s, 12, 16, 0.7, (1 - a) * a, a); /* both walls */
+    EXPECT(s, 13, 13, 0.7, (1 - a) * a, a);
+    EXPECT(s, 14, 16, 0.7, 0.3, 0); /* through the near doorway */
+    EXPECT(s, 15, 19, 0.7, 0.3, 0);
+    EXPECT(s, 16, 16, 1, 0, 0); /* through both */
+    EXPECT(s, 17, 12, 1, 0, 0);
+    EXPECT(s, 18, 16, 0.7, 0, 0.3); /* the far doorway behind the near wall */
+    EXPECT(s, 19, 19, 0.7, 0, 0.3);
+    EXPECT(s, 20, 16, 0, (1 - edge) * edge, edge);
+    EXPECT(s, 21, 16, 0, (1 - ring) * ring, ring);
+    EXPECT(s, 24, 16, 0, 0, 1);
+    EXPECT(s, 15, 20, 0, 0.1, 0); /* above it, in the near doorway */
+    EXPECT(s, 15, 24, 0, 1, 0);
+    EXPECT(s, 16, 20, 0, 0, 0);
+    near_to(s->pixels[20 * SIZE + 16].background, 1);
+    near_to(s->pixels[20 * SIZE + 15].background, 0.9);
+    free(s);
+}
+
+/* Crowns over pixels 8 to 15 and, higher, 14 to 23; a boulder over 18 to 23 up to row 13; ground below everything. */
+static void a_tank_under_trees(void **state) {
+    (void)state;
+    stage *s = new_stage();
+    square(s, TARGET, 0);
+    size_t low = add_object(s, 0), high = add_object(s, 0), boulder = add_object(s, IMPENETRABLE);
+    wall(s, BACKDROP, -1);
+    add_sheet(s, low, -1, -1, 0, 1, 1);
+    add_sheet(s, high, -0.25, -1, 1, 1, 2);
+    add_sheet(s, boulder, 0.25, -1, 1, -0.25, 0.5);
+    render(s);
+    double a = 1 - sqrt(0.7), edge = 1 - sqrt(0.9);
+    EXPECT(s, 13, 16, 0.7, 0.3, 0, 0, 0);
+    EXPECT(s, 15, 16, 0.7, (1 - a) * a, a, 0, 0); /* where the crowns overlap */
+    EXPECT(s, 17, 16, 0.7, 0, 0.3, 0, 0);
+    EXPECT(s, 11, 16, 0, 0.1, 0, 0, 0.9);
+    EXPECT(s, 10, 16, 0, 0.325, 0, 0, 0.675);
+    EXPECT(s, 7, 16, 0, 0, 0, 0, 1);
+    EXPECT(s, 20, 16, 0, 0, 0.1, 0, 0.9);
+    EXPECT(s, 15, 20, 0, (1 - edge) * edge, edge, 0, 0.9);
+    EXPECT(s, 19, 13, 0, 0, 0.1, 0.9, 0); /* behind the boulder: the gradient of the row above */
+    EXPECT(s, 19, 12, 0, 0, 0.325, 0.675, 0);
+    EXPECT(s, 23, 9, 0, 0, 1, 0, 0);
+    EXPECT(s, 17, 13, 0.7, 0, 0.3, 0, 0); /* beside it */
+    assert_int_equal(s->census[0].closed, 4);
+    assert_int_equal(s->census[0].hidden, 64);
+    free(s);
+}
+
 /* ---- layer control ---- */
 
 /* One layer: the nearest wall is cut, the next stays and hides the target. */
@@ -1129,6 +1191,8 @@ int main(void) {
         cmocka_unit_test(backdrops_are_never_seen_through),
         cmocka_unit_test(a_fighter_in_a_hangar),
         cmocka_unit_test(hollow_occluders_are_several_layers),
+        cmocka_unit_test(a_thing_two_rooms_away),
+        cmocka_unit_test(a_tank_under_trees),
         cmocka_unit_test(layer_control),
         cmocka_unit_test(layer_control_counts_what_yields),
         cmocka_unit_test(search_light),
