@@ -24,7 +24,8 @@
 
 enum { DONE = 0, FAILED = 1, USAGE = 2 };
 
-static const char HELP[] =
+/* In pieces, since C99 promises no more than 4,095 bytes for one. */
+static const char *const HELP[] = {
     "illustrate MODEL... -o OUT.png: 3D models as technical illustrations, in one command.\n"
     "\n"
     "MODEL is a file (glTF, GLB, OBJ, STL, PLY, 3DS, FBX, DAE and others) or one that is built in:\n"
@@ -52,7 +53,7 @@ static const char HELP[] =
     "                           perspective, the foreground heavy; light, thin toward the upper left. phantom: parts that\n"
     "                           would be transparent are drawn as dashed lines only; smooth: rounder silhouettes, on\n"
     "                           meshes without creases;\n"
-    "                           hidden: hidden lines as short dashes\n"
+    "                           hidden: hidden lines as short dashes\n",
     "  --shade SHADE            cool-to-warm (default) or flat\n"
     "  --background RRGGBB      or none for a see-through one; default ffffff\n"
     "  --k K                    how fast transparent surfaces clear away from their silhouettes (exponent)\n"
@@ -76,7 +77,7 @@ static const char HELP[] =
     "  --verbose                say which driver drew, by which path, and how long each step took\n"
     "  --version, --help\n"
     "\n"
-    "Exit status: 0 done, 1 failed, 2 wrong usage. One line on stderr says what was wrong.\n";
+    "Exit status: 0 done, 1 failed, 2 wrong usage. One line on stderr says what was wrong.\n"};
 
 typedef enum fate { MAKE_TRANSPARENT, MAKE_OPAQUE, HIDE, JOIN } fate;
 
@@ -951,7 +952,8 @@ static bool asks_for(int count, char **arguments, const char *wanted) {
 int main(int count, char **arguments) {
     options o = {0};
     if (asks_for(count, arguments, "--help") || asks_for(count, arguments, "-h")) {
-        fputs(HELP, stdout);
+        for (size_t i = 0; i < sizeof HELP / sizeof HELP[0]; ++i)
+            fputs(HELP[i], stdout);
         return finish_stdout();
     }
     if (asks_for(count, arguments, "--version")) {
