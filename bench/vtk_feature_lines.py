@@ -16,8 +16,6 @@ import time
 
 try:
     import vtk
-    from vtk.util import numpy_support
-    import numpy
 except ImportError as missing:
     print(f"vtk: skipped: {missing}")
     sys.exit(0)
@@ -25,22 +23,27 @@ except ImportError as missing:
 
 def read_mesh(path):
     """Points and triangles of one file: two 64-bit counts, floats, 32-bit indices."""
+    counts, points, corners = array.array("Q"), array.array("f"), array.array("I")
     with open(path, "rb") as file:
-        counts = array.array("Q")
         counts.fromfile(file, 2)
-        points = numpy.fromfile(file, numpy.float32, 3 * counts[0]).reshape(-1, 3)
-        faces = numpy.fromfile(file, numpy.uint32, 3 * counts[1]).reshape(-1, 3)
-    cells = numpy.empty((counts[1], 4), numpy.int64)
-    cells[:, 0] = 3
-    cells[:, 1:] = faces
+        points.fromfile(file, 3 * counts[0])
+        corners.fromfile(file, 3 * counts[1])
+    faces = int(counts[1])
+    cells = array.array("q", [3]) * (4 * faces)  # 3, a, b, c of each
+    for k in range(3):
+        cells[k + 1 :: 4] = array.array("q", corners[k::3])
+    coordinates, connections = vtk.vtkFloatArray(), vtk.vtkIdTypeArray()
+    coordinates.SetNumberOfComponents(3)
+    coordinates.SetVoidArray(points, len(points), 1)
+    connections.SetVoidArray(cells, len(cells), 1)
     vtk_points = vtk.vtkPoints()
-    vtk_points.SetData(numpy_support.numpy_to_vtk(points, deep=True))
+    vtk_points.SetData(coordinates)
     vtk_cells = vtk.vtkCellArray()
-    vtk_cells.SetCells(int(counts[1]), numpy_support.numpy_to_vtkIdTypeArray(cells.ravel(), deep=True))
+    vtk_cells.SetCells(faces, connections)
     mesh = vtk.vtkPolyData()
     mesh.SetPoints(vtk_points)
     mesh.SetPolys(vtk_cells)
-    return mesh, int(counts[1]) * 3 // 2
+    return mesh, 3 * faces // 2, (points, cells)  # which VTK does not copy
 
 
 def eye_number(i):
@@ -92,7 +95,7 @@ def main(folder, table):
     with open(table, "a", encoding="ascii") as csv:
         for path in sorted(glob.glob(os.path.join(folder, "*.mesh"))):
             scene = os.path.basename(path).rsplit("_", 1)[0]
-            mesh, edges = read_mesh(path)
+            mesh, edges, _kept = read_mesh(path)
             for work, run in (("extract", silhouettes), ("feature_edges", feature_edges)):
                 ms, lines = run(mesh)
                 print(f"{work:14} {scene:14} {edges:9}  vtk {ms:10.3f} ms {1e6 * ms / edges:8.1f} ns/edge  {lines} lines",
