@@ -151,6 +151,25 @@ static size_t check_extract(const sil_mesh *mesh, sil_pose *pose, const sil_view
     return count;
 }
 
+/* Candidates of triangles with corners and indices of any kind: lists that follow each other, of edges that are there. */
+static void check_candidates(const sil_edge_tree *tree, size_t edge_count, source *s) {
+    static uint32_t candidates[MOST_OUT];
+    float corners[3 * 6];
+    uint32_t indices[9], offsets[4];
+    size_t i, needed = 0;
+    for (i = 0; i < 18; ++i)
+        corners[i] = take_float(s);
+    for (i = 0; i < 9; ++i)
+        indices[i] = take(s) % 7;
+    require(sil_candidates(tree, corners, 0, 6, indices, 3, offsets, candidates, MOST_OUT, &needed) == SIL_OK,
+            "no candidates");
+    for (i = 0; i < 3; ++i)
+        require(offsets[i] <= offsets[i + 1], "candidates out of order");
+    require(offsets[0] == 0 && offsets[3] == needed, "candidates are missing");
+    for (i = 0; i < needed && i < MOST_OUT; ++i)
+        require(candidates[i] < edge_count, "a candidate is out of range");
+}
+
 /* Vector code and plain code find the same. */
 static void check_plain(sil_mesh *mesh, const sil_view *view, unsigned kinds) {
     static sil_edge wide[MOST_EDGES], plain[MOST_EDGES];
@@ -313,6 +332,7 @@ static void check_distances(const sil_mesh *mesh, const sil_pose *pose, const si
             require(sil_distances_by_tree(tree, 0, vertices, by_tree, its_nearest) == SIL_OK, "no distances by tree");
             require(memcmp(by_tree, distances, vertices * sizeof(float)) == 0, "a tree finds other distances");
             require(memcmp(its_nearest, nearest, vertices * sizeof(uint32_t)) == 0, "a tree finds other edges");
+            check_candidates(tree, count, s);
         }
         sil_edge_tree_destroy(tree);
     }
