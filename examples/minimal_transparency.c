@@ -107,8 +107,8 @@ int main(void) {
     {0.8f, 0, 0, 0, 0, 0.8f, 0, 0, 0, 0, -0.5f, 0, 0, 0, 0, 1}, {                                                      \
         1, 0, 0, 0, 1, 0, 0, 0, 1                                                                                      \
     } /* along -z */
-    static const tr_material materials[2] = {{VIEW, {0.45f, 0.60f, 0.80f, 1}, 1.0f, 0.8f, 1},
-                                             {VIEW, {0.90f, 0.45f, 0.15f, 1}, 0, 0, 2}};
+    static const tr_material materials[2] = {{VIEW, {0.45f, 0.60f, 0.80f, 1}, 1.0f, 0.8f, {0}, 0, 0, 1},
+                                             {VIEW, {0.90f, 0.45f, 0.15f, 1}, 0, 0, {0}, 0, 0, 2}};
     static const int first[2] = {0, BALL}, count[2] = {BALL, BOX};
     tr_desc desc = {0};
     tr_frame frame = {0};

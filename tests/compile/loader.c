@@ -90,8 +90,12 @@ static tr_result draw(tr_context *tr) {
     while (tr_next_pass(tr, &pass))
         for (int i = 0; i < 2; ++i)
             if (tr_pass_draws(&pass, &objects[i])) {
-                tr_material material = {
-                    {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}, {1, 0, 0, 0, 1, 0, 0, 0, 1}, {0}, 0, 0, 0};
+                tr_material material;
+                memset(&material, 0, sizeof material);
+                for (int k = 0; k < 4; ++k)
+                    material.model_view_projection[5 * k] = 1;
+                for (int k = 0; k < 3; ++k)
+                    material.normal_matrix[4 * k] = 1;
                 memcpy(material.color, colors[i], sizeof colors[i]);
                 material.object = objects[i].id;
                 tr_set_material(tr, &pass, &material);
