@@ -38,7 +38,8 @@ unit_tests := $(patsubst tests/%.c,$(out)/tests/%,$(sort $(wildcard tests/unit_*
 mock_tests := $(patsubst tests/%.c,$(out)/tests/%,$(sort $(wildcard tests/mock_*.c)))
 gl_tests := $(patsubst tests/%.c,$(out)/tests/%,$(sort $(wildcard tests/gl_*.c)))
 fuzzers := $(patsubst tests/%.c,build/fuzz/%,$(sort $(wildcard tests/fuzz_*.c)))
-benchmarks := $(patsubst bench/%.c,build/bench/%,$(sort $(wildcard bench/*.c)))
+# `make accuracy` runs bench/accuracy.c.
+benchmarks := $(patsubst bench/%.c,build/bench/%,$(filter-out bench/accuracy.c,$(sort $(wildcard bench/*.c))))
 formatted := $(wildcard *.h examples/*.[ch] examples/*/*.[ch] tests/*.[ch] tests/compile/*.[ch] tools/*.[ch] bench/*.[ch])
 glad := build/glad/include/glad/gl.h
 clang_format := $(firstword $(shell command -v clang-format-14 clang-format) clang-format-14)
@@ -46,7 +47,8 @@ clang_format := $(firstword $(shell command -v clang-format-14 clang-format) cla
 build = @+$(MAKE) --no-print-directory $(if $(filter -j% --jobserver%,$(MAKEFLAGS)),,-j$(jobs))
 
 .PHONY: help demo test deps shaders check-generated check-shaders headers-alone sanitize valgrind fuzz format \
-        check-format bench web ci install uninstall clean run-tests
+        check-format tsan bench bench-silhouette bench-distance bench-view-dependent bench-oit bench-lines bench-flicker \
+        accuracy web ci install uninstall clean run-tests
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -81,8 +83,14 @@ sanitize: build/embed_shaders ## unit, mock and GL tests and illustrate under Ad
 valgrind: $(unit_tests) $(mock_tests) | build/embed_shaders ## unit and mock tests under valgrind
 	@tools/run_suites $(patsubst %,'valgrind -q --error-exitcode=9 --leak-check=full %',$^)
 
-fuzz: $(fuzzers) ## FUZZ_RUNS random inputs to every fuzz target
-	@tools/run_suites $(patsubst %,'% -runs=$(FUZZ_RUNS) -seed=1 -timeout=10 -verbosity=0 -artifact_prefix=build/fuzz/',$^)
+tsan: tests/unit_threads.c ## one mesh in many threads, under ThreadSanitizer
+	@mkdir -p build/tsan
+	$(call say,CC      build/tsan/unit_threads)clang -std=c11 -g -O1 -fsanitize=thread $(warnings) $(includes) $< -o build/tsan/unit_threads -lcmocka -lpthread -lm
+	@tools/run_suites build/tsan/unit_threads
+
+fuzz: $(fuzzers) ## the inputs in tests/corpus, then FUZZ_RUNS random ones, to every fuzz target
+	@tools/run_suites $(foreach c,$(notdir $(wildcard tests/corpus/*)),'build/fuzz/fuzz_$c -timeout=10 tests/corpus/$c/*') \
+	    $(patsubst %,'% -runs=$(FUZZ_RUNS) -seed=1 -timeout=10 -verbosity=0 -artifact_prefix=build/fuzz/',$^)
 
 format: ## lay out all C files by .clang-format
 	@$(clang_format) -i $(formatted)
@@ -90,8 +98,22 @@ format: ## lay out all C files by .clang-format
 check-format: ## fail if a C file is not laid out by .clang-format
 	@$(clang_format) --dry-run -Werror $(formatted)
 
-bench: $(benchmarks) ## run the benchmarks; tables and build/bench/*.csv
+bench: $(benchmarks) ## run the benchmarks; tables and build/bench/*.csv. One alone: bench-distance, bench-lines, ...
 	@set -e; for program in $^; do BENCH=$(BENCH) $$program; done
+
+bench-silhouette: build/bench/silhouette build/bench/gauss_map ## silhouettes against the published test, Gauss map, cones and VTK
+	@mkdir -p build/bench/meshes
+	@BENCH=$(BENCH) BENCH_MESHES=build/bench/meshes build/bench/silhouette
+	@BENCH=$(BENCH) build/bench/gauss_map
+	@/usr/bin/python3 bench/vtk_feature_lines.py build/bench/meshes build/bench/silhouette.csv
+	@if command -v gnuplot >/dev/null; then gnuplot -c bench/silhouette.gp build/bench/silhouette.csv build/bench/silhouette.png; fi
+
+bench-distance bench-view-dependent bench-oit bench-lines bench-flicker: bench-%: ## one benchmark: bench-NAME runs bench/NAME.c
+	@$(MAKE) --no-print-directory build/bench/$(subst -,_,$*)
+	@BENCH=$(BENCH) build/bench/$(subst -,_,$*)
+
+accuracy: build/bench/accuracy ## error against time of every knob: tables and pictures in build/accuracy
+	@build/bench/accuracy build/accuracy
 
 web: ## the smallest example for WebGL 2, by emscripten; chromium shows it and it is compared with GL 3.3
 	@tools/check_web build/web
@@ -100,7 +122,7 @@ mutants: $(glad) ## break named lines one at a time and show that a test notices
 	@tools/mutants build/mutants
 
 ci: deps ## everything that must pass before a change is taken
-	@tools/run_ci $(MAKE) test sanitize valgrind check-shaders check-format fuzz
+	@tools/run_ci $(MAKE) test sanitize valgrind tsan check-shaders check-format fuzz
 
 install: build/illustrate ## install the headers below $(PREFIX)/include/glassine and the program illustrate
 	install -d $(DESTDIR)$(PREFIX)/include/glassine $(DESTDIR)$(PREFIX)/bin
@@ -120,6 +142,7 @@ oldest := env LIBGL_ALWAYS_SOFTWARE=1 MESA_GL_VERSION_OVERRIDE=3.3 MESA_GLSL_VER
     MESA_GLES_VERSION_OVERRIDE=3.0 GLASSINE_MAX_GL=330 GLASSINE_MAX_ES=300
 run-tests: $(unit_tests) $(mock_tests) $(gl_tests) build/illustrate build/host build/embed_shaders $(glad)
 	@tools/run_suites $(unit_tests) $(mock_tests) $(gl_tests) \
+	    '$(softpipe) build/tests/gl_alpha' \
 	    $(foreach test,hosts transparency integration,'$(softpipe) build/tests/gl_$(test)' '$(oldest) build/tests/gl_$(test)') \
 	    'tests/compile/headers_alone build/compile' 'build/embed_shaders . --check' \
 	    'tests/compile/quick_starts build/quick_starts' 'tests/compile/minimal_examples build/minimal' \
