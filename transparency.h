@@ -1679,6 +1679,7 @@ static const char *const tr_i_shader_surface_vertex_glsl[] = {
 #define TR_I_GL_READ_FRAMEBUFFER_BINDING 0x8CAAu
 #define TR_I_GL_RGBA 0x1908u
 #define TR_I_GL_RGBA8 0x8058u
+#define TR_I_GL_RGBA32F 0x8814u
 #define TR_I_GL_R32UI 0x8236u
 #define TR_I_GL_RED_INTEGER 0x8D94u
 #define TR_I_GL_RG16UI 0x823Au
@@ -1707,6 +1708,11 @@ static const char *const tr_i_shader_surface_vertex_glsl[] = {
 #define TR_I_GL_UNIFORM_BUFFER_BINDING 0x8A28u
 #define TR_I_GL_UNIFORM_BUFFER_SIZE 0x8A2Au
 #define TR_I_GL_UNIFORM_BUFFER_START 0x8A29u
+#define TR_I_GL_UNPACK_ALIGNMENT 0x0CF5u
+#define TR_I_GL_UNPACK_ROW_LENGTH 0x0CF2u
+#define TR_I_GL_UNPACK_SKIP_PIXELS 0x0CF4u
+#define TR_I_GL_UNPACK_SKIP_ROWS 0x0CF3u
+#define TR_I_GL_UNPACK_SWAP_BYTES 0x0CF0u
 #define TR_I_GL_UNSIGNED_BYTE 0x1401u
 #define TR_I_GL_ACTIVE_TEXTURE 0x84E0u
 #define TR_I_GL_VERSION 0x1F02u

@@ -157,6 +157,7 @@ FAKE(GetProgramiv, (U a, U b, I *c), (void)a; (void)b; *c = driver.fail_compile 
 FAKE(GetShaderiv, (U a, U b, I *c), (void)a; (void)b; *c = driver.fail_compile != 1;)
 FAKE(LinkProgram, (U a), (void)a;)
 FAKE(PolygonMode, (U a, U b), (void)a; (void)b;)
+FAKE(PixelStorei, (U a, I b), (void)a; (void)b;)
 FAKE(ReadBuffer, (U a), (void)a;)
 FAKE(ShaderSource, (U a, I b, const char *const *c, const I *d), (void)a; (void)b; (void)c; (void)d;)
 FAKE(TexImage2D, (U a, I b, I c, I d, I e, I f, U g, U h, const void *i), (void)a; (void)b; (void)c; (void)d; (void)e;
