@@ -20,7 +20,7 @@
 #include "scene.h"
 #include "write_png.h"
 
-#define ILLUSTRATE_VERSION "0.1.0"
+#define ILLUSTRATE_VERSION "0.2.0"
 
 enum { DONE = 0, FAILED = 1, USAGE = 2 };
 
