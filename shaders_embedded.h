@@ -1,5 +1,5 @@
 /*
-shaders_embedded.h - v0.1.0 - all of Glassine's GLSL as named strings, for hosts with passes of their own - MIT licence
+shaders_embedded.h - v0.2.0 - all of Glassine's GLSL as named strings, for hosts with passes of their own - MIT licence
 
 DOES      hands out each file of Glassine's shaders/ folder by its name, as the strings that glShaderSource takes.
 DOES NOT  call OpenGL, allocate, or read files. transparency.h and oit_buffers.h do not need this header: each of them
@@ -67,7 +67,7 @@ The licence (MIT) stands at the end of this file.
 #ifndef SHADERS_EMBEDDED_H
 #define SHADERS_EMBEDDED_H
 
-#define SHADERS_VERSION 100 /* major * 10000 + minor * 100 + patch: 0.1.0 */
+#define SHADERS_VERSION 200 /* major * 10000 + minor * 100 + patch: 0.2.0 */
 
 /* How the functions are declared; not for users. A file need not use all that are static in it. */
 #if !defined(SHADERS_STATIC)
