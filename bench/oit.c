@@ -329,6 +329,7 @@ static void measure(stage *s, subject *subjects, size_t count, const char *name,
 static int find_passes(stage *s, oit_context *oit) {
     oit_frame frame = oit_scene_frame(&s->scene, s->framebuffer);
     oit_report report = {0};
+    clear(s);
     oit_scene_render(&s->scene, oit, &frame, NULL);
     oit_get_report(oit, &report);
     return (int)report.deepest / 2 + 1;
