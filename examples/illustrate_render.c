@@ -1024,8 +1024,12 @@ static tr_frame make_frame(const renderer *r) {
     frame.width = r->tile_width;
     frame.height = r->tile_height;
     frame.scene = tr_scene_count(r->figures, r->figure_count, sizeof *r->figures);
-    if (r->style == STYLE_GLASS) /* what is transparent follows by itself */
-        frame.scene.transparent = frame.scene.transparent_two_sided = 0;
+    if (r->style == STYLE_GLASS) { /* what is transparent follows by itself */
+        tr_scene all = frame.scene;
+        memset(&frame.scene, 0, sizeof frame.scene);
+        frame.scene.opaque = all.opaque;
+        frame.scene.opaque_two_sided = all.opaque_two_sided;
+    }
     frame.wishes.interior = r->interior;
     frame.wishes.layers = r->interior == TR_INTERIOR_LAYERS ? (uint32_t)job->layers : 0;
     frame.group_distance = (float)job->group_distance;
