@@ -436,7 +436,7 @@ timeout "$limit" env MESA_GL_VERSION_OVERRIDE=3.3 MESA_GLSL_VERSION_OVERRIDE=330
 if [ $? -ne 0 ]; then # a driver that does not heed the override draws it
     check '--style glass on an old context says what needs less' grep -q 'style hodges needs less' stderr
     check '--style glass on an old context says one line' one_line_on_stderr
-    check '--style glass on an old context leaves nothing' nothing_left
+    check '--style glass on an old context leaves nothing' [ ! -e out/old.png ]
 fi
 run in/latin1.obj --transparent '*' --size 16x16 --explain -o out/picture.png
 check '--explain writes JSON for any name' python3 -m json.tool stdout parsed
