@@ -182,7 +182,7 @@ typedef enum oit_state_policy {
 
 /* How the fragment pool comes to be large enough. */
 typedef enum oit_fit {
-    OIT_FIT_WAIT, /* one read-back of 32 bytes between count and fill; over the ceiling in bands: nothing is ever lost */
+    OIT_FIT_WAIT, /* one read-back of 64 bytes between count and fill; over the ceiling in bands: nothing is ever lost */
     OIT_FIT_ASYNC /* never waits: what does not fit this frame is composed from the tail, and the pool grows for the next */
 } oit_fit;
 
@@ -399,7 +399,7 @@ static const char *const oit_i_shader_oit_clear_comp[] = {
 static const char *const oit_i_shader_oit_compose_frag[] = {
     "#line 1\n"
     "// For: oit_buffers.h\n"
-    "// The pixels whose runs have more than OIT_ABOVE and at most OIT_CLASS records, composed over the target; with OIT_DEEP\n"
+    "// The pixels whose runs have at most OIT_CLASS records and are too deep for the program drawn before, composed over the target; with OIT_DEEP\n"
     "// all that are deeper than the programs that were drawn before, OIT_CLASS records at a time.\n"
     "#if OIT_MODE == OIT_MODE_DUAL\n"
     "layout(location = 0, index = 0) out highp vec4 oit_out;\n"
@@ -463,7 +463,7 @@ static const char *const oit_i_shader_oit_compose_frag[] = {
     "    if (n <= oit_step.y)\n"
     "        discard;\n"
     "#else\n"
-    "    if (n <= uint(OIT_ABOVE) || n > uint(OIT_CLASS))\n"
+    "    if (n <= oit_above[OIT_INDEX] || n > uint(OIT_CLASS))\n"
     "        discard;\n"
     "#endif\n"
     "    oit_lay_run((start - oit_pool.y) * uint(OIT_VECTORS), n);\n"
@@ -567,6 +567,7 @@ static const char *const oit_i_shader_oit_frame_block_glsl[] = {
     "    highp ivec4 oit_area;  // x, y of the slab's corner in the target, its width and height\n"
     "    highp uvec4 oit_pool;  // x: pixels of the slab, y: first fragment of the band, z: capacity, w: blocks of the scan\n"
     "    highp uvec4 oit_step;  // x: 1 with the first slab of a frame, y: what is deeper is left to the program for all depths\n"
+    "    highp uvec4 oit_above; // what is not deeper than this is left to the program before: of up to 8, 16, 32, 64\n"
     "    highp vec4 oit_light;  // xyz: toward the light, unit length; zero: no shading. w: weight of the background\n"
     "};\n"
     "\n"
@@ -578,6 +579,7 @@ static const char *const oit_i_shader_oit_frame_block_glsl[] = {
     "#define OIT_LOST 3u        // fragments that went to the tail\n"
     "#define OIT_EXTRA 4u       // fragments that the fill met and the count had not\n"
     "#define OIT_TOTAL 5u       // fragments of this slab\n"
+    "#define OIT_PIXELS 8u      // from here on, by power of two: pixels of up to 8, 16, 32, 64 fragments, and of more\n"
     "#define OIT_HEADER 16u\n"
     "#define OIT_START(p) (OIT_HEADER + 2u * (p))\n"
     "#define OIT_LEFT(p) (OIT_HEADER + 1u + 2u * (p))\n"
@@ -665,7 +667,7 @@ static const char *const oit_i_shader_oit_report_comp[] = {
     "\n"
     "void main()\n"
     "{\n"
-    "    for (uint i = 0u; i < 8u; ++i)\n"
+    "    for (uint i = 0u; i < 16u; ++i)\n"
     "        oit_total[i] = oit_pixel[i];\n"
     "}\n",
     0};
@@ -957,22 +959,34 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
 static const char *const oit_i_shader_oit_sum_comp[] = {
     "#line 1\n"
     "// For: oit_buffers.h\n"
-    "// The scan, first of three: the fragments of each block, and of the deepest pixel.\n"
+    "// The scan, first of three: the fragments of each block, those of the deepest pixel, and how deep the pixels are.\n"
     "layout(local_size_x = 128) in;\n"
     "layout(std430, binding = OIT_BINDING_PIXELS) buffer oit_pixels { uint oit_pixel[]; };\n"
     "shared uint oit_sums[128];\n"
     "shared uint oit_most[128];\n"
+    "shared uint oit_classes[5];\n"
+    "\n"
+    "// 0 for up to 8, then one more for each doubling.\n"
+    "uint oit_class(uint count)\n"
+    "{\n"
+    "    return count <= 8u ? 0u : min(uint(findMSB(count - 1u)) - 2u, 4u);\n"
+    "}\n"
     "\n"
     "void main()\n"
     "{\n"
     "    uint block = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;\n"
     "    uint self = gl_LocalInvocationID.x;\n"
     "    uint sum = 0u, most = 0u;\n"
+    "    if (self < 5u)\n"
+    "        oit_classes[self] = 0u;\n"
+    "    barrier();\n"
     "    for (uint i = 0u; i < 8u; ++i) {\n"
     "        uint p = block * OIT_BLOCK + 128u * i + self;\n"
     "        uint count = p < oit_pool.x ? oit_pixel[OIT_LEFT(p)] : 0u;\n"
     "        sum = oit_add(sum, count);\n"
     "        most = max(most, count);\n"
+    "        if (count > 0u)\n"
+    "            atomicAdd(oit_classes[oit_class(count)], 1u);\n"
     "    }\n"
     "    oit_sums[self] = sum;\n"
     "    oit_most[self] = most;\n"
@@ -984,6 +998,8 @@ static const char *const oit_i_shader_oit_sum_comp[] = {
     "        }\n"
     "        barrier();\n"
     "    }\n"
+    "    if (self < 5u && oit_classes[self] > 0u)\n"
+    "        atomicAdd(oit_pixel[OIT_PIXELS + self], oit_classes[self]);\n"
     "    if (self == 0u && block < oit_pool.w) {\n"
     "        oit_pixel[OIT_SUM(block)] = oit_sums[0];\n"
     "        atomicMax(oit_pixel[OIT_DEEPEST], oit_most[0]);\n"
@@ -1343,7 +1359,6 @@ enum { OIT_I_PIXELS, OIT_I_FRAGMENTS, OIT_I_REPORT, OIT_I_UNIFORMS = OIT_I_REPOR
 /* Runs are composed by programs for so many fragments, the last for all that are deeper. */
 #define OIT_I_CLASSES 5
 static const int oit_i_class_sizes[OIT_I_CLASSES] = {8, 16, 32, 64, 32};
-static const int oit_i_class_above[OIT_I_CLASSES] = {0, 8, 16, 32, 64};
 
 /* How a composed pixel goes into the target. */
 enum {
@@ -1373,7 +1388,7 @@ typedef struct oit_i_surface {
 /* The uniform block oit_frame of shaders/oit_frame_block.glsl, std140. */
 typedef struct oit_i_block {
     int32_t area[4];
-    oit_i_u pool[4], step[4];
+    oit_i_u pool[4], step[4], above[4];
     float light[4];
 } oit_i_block;
 
@@ -1440,6 +1455,7 @@ struct oit_context {
     oit_i_u capacity;                  /* fragments that the pool holds */
     int small_needs;                   /* reports in a row that needed much less */
     uint64_t frame_number;
+    oit_i_u class_pixels[OIT_I_CLASSES];       /* of the image that was heard of last, by depth */
     oit_report report, pending[OIT_I_REPORTS]; /* known; by slot, what is not read back */
     oit_i_sync fences[OIT_I_REPORTS];
     int slot; /* of the frame's report; -1: none is free */
@@ -2283,7 +2299,7 @@ static void oit_i_compose_source(oit_i_source *source, int index, int mode, char
     oit_i_define(&text, "OIT_MODE", mode);
     if (!tail) {
         oit_i_define(&text, "OIT_CLASS", oit_i_class_sizes[index]);
-        oit_i_define(&text, "OIT_ABOVE", oit_i_class_above[index]);
+        oit_i_define(&text, "OIT_INDEX", index);
         oit_i_define(&text, "OIT_DEEP", deep);
     }
     oit_i_add(source, scratch);
@@ -2695,7 +2711,7 @@ static oit_result oit_i_make_buffers(oit_context *oit) {
         if (!oit_i_resize(oit, OIT_I_PIXELS, bytes, OIT_I_GL_DYNAMIC_COPY))
             return oit_i_fail(&oit->desc, OIT_OUT_OF_MEMORY, "oit_begin", "no memory for the pixels");
     for (i = OIT_I_REPORT; i < OIT_I_REPORT + OIT_I_REPORTS; ++i)
-        if (!oit->sizes[i] && !oit_i_resize(oit, i, 32, OIT_I_GL_DYNAMIC_READ))
+        if (!oit->sizes[i] && !oit_i_resize(oit, i, 4 * OIT_I_HEADER_WORDS, OIT_I_GL_DYNAMIC_READ))
             return oit_i_fail(&oit->desc, OIT_OUT_OF_MEMORY, "oit_begin", "no memory for the reports");
     if (oit->desc.fit == OIT_FIT_WAIT && oit->capacity)
         return OIT_OK;
@@ -2708,13 +2724,14 @@ static oit_result oit_i_make_buffers(oit_context *oit) {
 /* ---- reports ---------------------------------------------------------------------------------------------------- */
 
 /* Totals of a report buffer; the buffer's own barrier and fence are behind us. */
-static int oit_i_read_totals(const oit_context *oit, int slot, oit_i_u totals[6]) {
+static int oit_i_read_totals(const oit_context *oit, int slot, oit_i_u totals[OIT_I_HEADER_WORDS]) {
     const void *mapped;
     oit->gl.gl_BindBuffer(OIT_I_GL_COPY_WRITE_BUFFER, oit->buffers[OIT_I_REPORT + slot]);
-    mapped = oit->gl.gl_MapBufferRange(OIT_I_GL_COPY_WRITE_BUFFER, 0, 32, OIT_I_GL_MAP_READ_BIT);
+    mapped = oit->gl.gl_MapBufferRange(OIT_I_GL_COPY_WRITE_BUFFER, 0, 4 * OIT_I_HEADER_WORDS, OIT_I_GL_MAP_READ_BIT);
+    memset(totals, 0, sizeof(oit_i_u) * OIT_I_HEADER_WORDS);
     if (!mapped)
         return 0;
-    memcpy(totals, mapped, 6 * sizeof totals[0]);
+    memcpy(totals, mapped, sizeof(oit_i_u) * OIT_I_HEADER_WORDS);
     oit->gl.gl_UnmapBuffer(OIT_I_GL_COPY_WRITE_BUFFER);
     return 1;
 }
@@ -2733,7 +2750,7 @@ static int oit_i_fence_passed(const oit_context *oit, oit_i_sync fence, int wait
 static int oit_i_take_reports(oit_context *oit, int wait) {
     int slot, news = 0;
     for (slot = 0; slot < OIT_I_REPORTS; ++slot) {
-        oit_i_u totals[6];
+        oit_i_u totals[OIT_I_HEADER_WORDS];
         if (!oit->fences[slot] || !oit_i_fence_passed(oit, oit->fences[slot], wait))
             continue;
         oit->gl.gl_DeleteSync(oit->fences[slot]);
@@ -2746,6 +2763,7 @@ static int oit_i_take_reports(oit_context *oit, int wait) {
         oit->report.lost_pixels = totals[2];
         oit->report.lost = totals[3];
         oit->report.extra = totals[4];
+        memcpy(oit->class_pixels, totals + 8, sizeof oit->class_pixels);
         news = 1;
     }
     return news;
@@ -2813,12 +2831,25 @@ static void oit_i_unit_vector(float out[4], const float in[3]) {
         out[i] = length > 0.0 ? (float)((double)in[i] / length) : 0.0f;
 }
 
-/* The largest program for runs of up to so many fragments that the depth of the image calls for. */
-static oit_i_u oit_i_sorted_depth(oit_i_u deepest) {
-    int i = 0;
-    while (i < OIT_I_CLASSES - 2 && deepest > (oit_i_u)oit_i_class_sizes[i])
-        ++i;
-    return (oit_i_u)oit_i_class_sizes[i];
+/* Which programs are drawn (bits of step[2]), the largest of them, and where each begins. */
+static void oit_i_choose_programs(const oit_context *oit, oit_i_block *block) {
+    oit_i_u deepest = oit->desc.fit == OIT_FIT_WAIT ? oit->deepest : oit->report.deepest, before = 0;
+    uint64_t all = 0, waiting = 0;
+    int i, last = 0;
+    for (i = 0; i < OIT_I_CLASSES; ++i)
+        all += oit->class_pixels[i];
+    while (last < OIT_I_CLASSES - 2 && deepest > (oit_i_u)oit_i_class_sizes[last])
+        ++last;
+    for (i = 0; i <= last; ++i) {
+        block->above[i] = before;
+        waiting += oit->class_pixels[i];
+        if (i < last && 8 * waiting < all)
+            continue;
+        block->step[2] |= 1u << i;
+        before = (oit_i_u)oit_i_class_sizes[i];
+        waiting = 0;
+    }
+    block->step[1] = before;
 }
 
 static oit_i_block oit_i_make_block(const oit_context *oit) {
@@ -2836,7 +2867,7 @@ static oit_i_block oit_i_make_block(const oit_context *oit) {
     block.pool[2] = oit->capacity;
     block.pool[3] = oit_i_blocks(pixels);
     block.step[0] = oit->slab_y == 0;
-    block.step[1] = oit_i_sorted_depth(oit->desc.fit == OIT_FIT_WAIT ? oit->deepest : oit->report.deepest);
+    oit_i_choose_programs(oit, &block);
     oit_i_unit_vector(block.light, frame->light);
     block.light[3] = weight == 0.0f ? 1.0f : weight < 0.0f ? 0.0f : weight > 1.0f ? 1.0f : weight;
     return block;
@@ -3129,7 +3160,7 @@ static oit_result oit_i_next_part(oit_context *oit, int first) {
 
 /* OIT_FIT_WAIT: how much the slab needs is read, and the pool made to hold it if that may be. */
 static oit_result oit_i_measure(oit_context *oit) {
-    oit_i_u totals[6] = {0, 0, 0, 0, 0, 0};
+    oit_i_u totals[OIT_I_HEADER_WORDS];
     int32_t bound = oit_i_borrow_target(oit);
     oit_result result = OIT_OK;
     oit->gl.gl_MemoryBarrier(OIT_I_GL_BUFFER_UPDATE_BARRIER);
@@ -3140,6 +3171,7 @@ static oit_result oit_i_measure(oit_context *oit) {
     if (result == OIT_OK) {
         oit->needed = totals[5];
         oit->deepest = totals[1];
+        memcpy(oit->class_pixels, totals + 8, sizeof oit->class_pixels);
         if (oit_i_capacity_is_wrong(oit, oit->needed))
             result = oit_i_set_capacity(oit, oit_i_with_quarter(oit->needed), "oit_next_pass");
     }
@@ -3165,12 +3197,13 @@ static int oit_i_is_last_part(const oit_context *oit) {
            oit->slab_y + oit->slab_rows == oit->frame.height;
 }
 
-/* Programs up to the depth that is known, or was last heard of; pixels that are deeper even so are left to the last. */
+/* A program is drawn where it serves an eighth of the pixels or more, and that of the deepest ones; the pixels of one that
+   is not fall to the next. What is deeper than was known falls to the last, so that a wrong guess costs only time. */
 static int oit_i_is_needed(const oit_context *oit, int draw) {
     int index = draw % (OIT_I_CLASSES + 1), deep = index == OIT_I_CLASSES - 1, wait = oit->desc.fit == OIT_FIT_WAIT;
     if (index == OIT_I_CLASSES || deep)
         return !wait || (deep && oit->deepest > oit->block.step[1]);
-    return (oit_i_u)oit_i_class_sizes[index] <= oit->block.step[1];
+    return (oit->block.step[2] >> index) & 1u;
 }
 
 static void oit_i_skip_draws(oit_context *oit) {

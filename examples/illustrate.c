@@ -38,7 +38,8 @@ static const char *const HELP[] = {
     "                           for each part, without the need of OpenGL; hidden lines are left out\n"
     "  --style STYLE            auto (default): hodges where something is or can be transparent, else opaque;\n"
     "                           hodges: parts that enclose others, or are see-through in the file, are transparent by\n"
-    "                           Hodges' rules; lines: ink on paper, hidden lines left out; opaque: nothing transparent\n"
+    "                           Hodges' rules; glass: the same parts, with every layer seen through the others, lines\n"
+    "                           among them (OpenGL 4.3 or ES 3.1); lines: ink on paper, hidden lines left out; opaque: nothing transparent\n"
     "  --size WxH               pixels, 1x1 to 16384x16384; default 1024x768\n"
     "  --view AZIMUTH,ELEVATION degrees; 0,0 looks at the front, 90,0 at the right side; default 30,20\n"
     "  --ortho                  parallel lines stay parallel\n"
@@ -303,12 +304,12 @@ static int read_choice(const char *option, const char *text, const char *const *
 /* ---- options --------------------------------------------------------------------------------------------- */
 
 static int set_style(options *o, const char *value) {
-    static const char *const words[] = {"auto", "hodges", "lines", "opaque", NULL};
-    static const char *const later[] = {"glass", "smart", "curvature", NULL};
-    static const illustrate_style styles[] = {STYLE_AUTO, STYLE_HODGES, STYLE_LINES, STYLE_OPAQUE};
+    static const char *const words[] = {"auto", "hodges", "lines", "opaque", "glass", NULL};
+    static const char *const later[] = {"smart", "curvature", NULL};
+    static const illustrate_style styles[] = {STYLE_AUTO, STYLE_HODGES, STYLE_LINES, STYLE_OPAQUE, STYLE_GLASS};
     int chosen;
     if (read_word(value, strlen(value), later) >= 0)
-        return misused("--style %s: not yet there; there are auto, hodges, lines and opaque", value);
+        return misused("--style %s: not yet there; there are auto, hodges, glass, lines and opaque", value);
     int result = read_choice("--style", value, words, &chosen);
     if (result == DONE)
         o->job.style = styles[chosen];

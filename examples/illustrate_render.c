@@ -23,6 +23,8 @@
 #include "silhouette.h"
 #define TRANSPARENCY_IMPLEMENTATION
 #include "transparency.h"
+#define OIT_BUFFERS_IMPLEMENTATION
+#include "oit_buffers.h"
 
 enum { TILE = 2048 }; /* drawn pixels */
 
@@ -83,6 +85,9 @@ typedef struct renderer {
     GLuint framebuffer, color, depth;
     int tile_width, tile_height, margin; /* of tiles, around what is kept of them: lines are whole across borders */
     double pass_ms[TR_MAX_PASSES], cpu_ms;
+    oit_context *oit; /* glass */
+    GLuint ink[2];    /* its programs for lines: counting, storing */
+    double glass_ms;
 } renderer;
 
 /* ---- small things -------------------------------------------------------------------------------------------- */
@@ -334,7 +339,8 @@ static unsigned char *choose_transparent(renderer *r) {
     unsigned char *transparent = calloc(s->part_count + 1, 1);
     boxes b = {NULL, NULL};
     bool file_says = false, ok = transparent && measure_boxes(s, &b);
-    bool hodges = r->job->style == STYLE_AUTO || r->job->style == STYLE_HODGES || r->job->phantom;
+    bool glass = r->job->style == STYLE_GLASS;
+    bool hodges = r->job->style == STYLE_AUTO || r->job->style == STYLE_HODGES || r->job->phantom || glass;
     for (size_t i = 0; ok && hodges && i < s->part_count; ++i) {
         transparent[i] = !s->parts[i].hidden && s->parts[i].opacity < 1.0f;
         file_says = file_says || transparent[i];
@@ -344,7 +350,7 @@ static unsigned char *choose_transparent(renderer *r) {
     for (size_t i = 0; ok && r->job->transparent && i < s->part_count; ++i)
         if (r->job->transparent[i] != PART_AUTO)
             transparent[i] = hodges && !s->parts[i].hidden && r->job->transparent[i] == PART_TRANSPARENT;
-    if (ok)
+    if (ok && !glass) /* which shows every layer */
         keep_outermost(r, &b, transparent);
     free(b.low);
     free(b.high);
@@ -1018,6 +1024,12 @@ static tr_frame make_frame(const renderer *r) {
     frame.width = r->tile_width;
     frame.height = r->tile_height;
     frame.scene = tr_scene_count(r->figures, r->figure_count, sizeof *r->figures);
+    if (r->style == STYLE_GLASS) { /* what is transparent follows by itself */
+        tr_scene all = frame.scene;
+        memset(&frame.scene, 0, sizeof frame.scene);
+        frame.scene.opaque = all.opaque;
+        frame.scene.opaque_two_sided = all.opaque_two_sided;
+    }
     frame.wishes.interior = r->interior;
     frame.wishes.layers = r->interior == TR_INTERIOR_LAYERS ? (uint32_t)job->layers : 0;
     frame.group_distance = (float)job->group_distance;
@@ -1110,6 +1122,132 @@ static void add_time(renderer *r, const tr_pass *pass, int *index, double *since
     }
 }
 
+/* ---- glass: every layer of what is transparent, and its lines among them ---------------------------------------- */
+
+/* What goes wrong is said in one line by whoever is told the result. */
+static void oit_said(oit_log_level level, oit_result code, const char *what, void *user) {
+    (void)level, (void)code;
+    if (((const illustrate_job *)user)->verbose)
+        fprintf(stderr, "%s\n", what);
+}
+
+/* Ribbons as fragments like any other, so that lines behind glass look as if behind glass. */
+static GLuint make_ink(const renderer *r, oit_pass_kind kind) {
+    static const char *const own[2] = {
+        "layout(location = 0) in vec4 corner; // x, y in pixels, window depth, depth per pixel toward the eye\n"
+        "uniform vec2 size;\n"
+        "void main() {\n"
+        "    float z = clamp(corner.z - 2.0 * corner.w, 0.0, 1.0);\n"
+        "    gl_Position = vec4(2.0 * corner.xy / size - 1.0, 2.0 * z - 1.0, 1.0);\n}\n",
+        "uniform vec4 ink;\nvoid main() {\n    oit_store(ink);\n}\n"};
+    static const GLenum types[2] = {GL_VERTEX_SHADER, GL_FRAGMENT_SHADER};
+    GLuint program = glCreateProgram();
+    GLint linked = 0;
+    for (int stage = 0; stage < 2; ++stage) {
+        const char *strings[OIT_I_MAX_STRINGS + 1];
+        int count = 0;
+        const char *const *first = oit_glsl(r->oit, (oit_stage)stage, kind, &count);
+        GLuint shader = glCreateShader(types[stage]);
+        memcpy(strings, first, (size_t)count * sizeof *strings);
+        strings[count] = own[stage];
+        glShaderSource(shader, count + 1, strings, NULL);
+        glCompileShader(shader);
+        glAttachShader(program, shader);
+        glDeleteShader(shader);
+    }
+    glLinkProgram(program);
+    glGetProgramiv(program, GL_LINK_STATUS, &linked);
+    if (linked)
+        return program;
+    glDeleteProgram(program);
+    return 0;
+}
+
+static bool start_glass(renderer *r, oit_proc (*get_proc)(const char *)) {
+    oit_desc desc;
+    oit_result result;
+    memset(&desc, 0, sizeof desc);
+    desc.get_proc = get_proc;
+    desc.log_fn = oit_said;
+    desc.log_user = (void *)(uintptr_t)r->job;
+    desc.state = OIT_STATE_LEAVE_DEFAULTS;
+    r->oit = oit_create(&desc, &result);
+    if (!r->oit)
+        return broken(r, "--style glass: %s; --style hodges needs less", oit_result_string(result));
+    for (int i = 0; i < 2; ++i) {
+        r->ink[i] = make_ink(r, i ? OIT_PASS_FILL : OIT_PASS_COUNT);
+        if (!r->ink[i])
+            return broken(r, "the driver's compiler refuses a shader for lines");
+    }
+    return true;
+}
+
+static void draw_glass_surface(renderer *r, const oit_pass *pass, const figure *f, const double projection[16]) {
+    const surface *s = &r->surfaces[f->surface];
+    oit_material material;
+    double mvp[16];
+    memset(&material, 0, sizeof material);
+    scene_multiply(projection, f->model_view, mvp);
+    to_float(mvp, material.model_view_projection);
+    normal_matrix(f->model_view, material.normal_matrix);
+    for (int k = 0; k < 3; ++k)
+        material.color[k] = s->colors ? 0.0f : f->part->color[k];
+    material.color[3] = f->part->opacity < 1.0f ? f->part->opacity : 0.3f;
+    oit_set_material(r->oit, pass, &material);
+    glBindVertexArray(f->array);
+    glDrawElements(GL_TRIANGLES, (GLsizei)s->index_count, GL_UNSIGNED_INT, NULL);
+}
+
+/* Creases are light and outlines dark, as in the other styles. */
+static void draw_glass_lines(const renderer *r, const oit_pass *pass, const figure *f) {
+    const GLuint program = r->ink[pass->kind == OIT_PASS_FILL];
+    const GLint ink = glGetUniformLocation(program, "ink");
+    glUseProgram(program);
+    glUniform2f(glGetUniformLocation(program, "size"), (float)r->tile_width, (float)r->tile_height);
+    glBindVertexArray(f->line_array);
+    if (r->job->creases && f->crease_vertices) {
+        glUniform4f(ink, 1.0f, 1.0f, 1.0f, 0.8f);
+        glDrawArrays(GL_TRIANGLES, 0, f->crease_vertices);
+    }
+    if (f->outline_vertices) {
+        glUniform4f(ink, 0.0f, 0.0f, 0.0f, 1.0f);
+        glDrawArrays(GL_TRIANGLES, f->crease_vertices, f->outline_vertices);
+    }
+    glUseProgram(pass->state.program);
+}
+
+static bool draw_glass(renderer *r, const double projection[16]) {
+    oit_frame frame;
+    oit_pass pass;
+    double begun = now_ms();
+    memset(&frame, 0, sizeof frame);
+    frame.framebuffer = r->framebuffer;
+    frame.width = r->tile_width;
+    frame.height = r->tile_height;
+    if (r->job->shade != SHADE_FLAT) { /* as transparency.h lights by default */
+        frame.light[0] = -0.45f;
+        frame.light[1] = 0.65f;
+        frame.light[2] = 0.62f;
+    }
+    oit_result result = oit_begin(r->oit, &frame);
+    if (result != OIT_OK)
+        return broken(r, "%s", oit_result_string(result));
+    while (oit_next_pass(r->oit, &pass))
+        for (size_t i = 0; i < r->figure_count; ++i)
+            if (r->figures[i].object.flags & TR_TRANSPARENT) {
+                draw_glass_surface(r, &pass, &r->figures[i], projection);
+                draw_glass_lines(r, &pass, &r->figures[i]);
+            }
+    result = oit_compose(r->oit);
+    oit_result end = oit_end(r->oit);
+    if (result != OIT_OK || end != OIT_OK)
+        return broken(r, "%s", oit_result_string(result != OIT_OK ? result : end));
+    if (r->job->explain)
+        glFinish();
+    r->glass_ms += now_ms() - begun;
+    return true;
+}
+
 static bool draw_tile(renderer *r, int x, int y, const float background[3]) {
     tr_frame frame = make_frame(r);
     tr_pass pass;
@@ -1143,7 +1281,7 @@ static bool draw_tile(renderer *r, int x, int y, const float background[3]) {
     }
     add_time(r, NULL, &index, &since);
     tr_end(r->tr);
-    return true;
+    return r->style != STYLE_GLASS || draw_glass(r, projection);
 }
 
 /* Averages quality x quality drawn pixels into each pixel of the picture; rows run down in it. */
@@ -1295,7 +1433,7 @@ static void put_passes(const renderer *r, text *t) {
 }
 
 static void explain(renderer *r) {
-    static const char *const styles[] = {"auto", "hodges", "lines", "opaque"};
+    static const char *const styles[] = {"auto", "hodges", "lines", "opaque", "glass"};
     text t = {NULL, 0, 0, false};
     size_t listed = 0;
     put(&t, "{\n  \"style\": \"%s\",\n  \"interior\": \"%s\",\n  \"alpha\": \"%s\",\n  \"transparent\": [",
@@ -1308,6 +1446,13 @@ static void explain(renderer *r) {
     put(&t,
         "],\n  \"parts\": %zu,\n  \"drawn_width\": %d,\n  \"drawn_height\": %d,\n  \"geometry_milliseconds\": %.3f,\n",
         r->figure_count, r->job->width * r->job->quality, r->job->height * r->job->quality, r->cpu_ms);
+    if (r->style == STYLE_GLASS) {
+        oit_report glass;
+        oit_get_report(r->oit, &glass);
+        put(&t, "  \"glass\": {\"milliseconds\": %.3f, \"fragments\": %u, \"deepest\": %u, \"bytes\": %llu},\n",
+            r->glass_ms, (unsigned)glass.needed, (unsigned)glass.deepest,
+            (unsigned long long)oit_get_info(r->oit).bytes);
+    }
     put_passes(r, &t);
     put(&t, "}\n");
     r->result->explain_json = t.failed ? NULL : t.at;
@@ -1512,6 +1657,10 @@ static void finish(renderer *r) {
         const GLuint textures[2] = {r->color, r->depth};
         glDeleteTextures(2, textures);
     }
+    for (int i = 0; i < 2; ++i)
+        if (r->ink[i])
+            glDeleteProgram(r->ink[i]);
+    oit_destroy(r->oit);
     tr_destroy(r->tr);
 }
 
@@ -1525,7 +1674,7 @@ bool illustrate_render(const illustrate_job *job, void (*(*get_proc)(const char 
     r.result = result;
     r.style = job->style;
     r.alpha = rungs[job->alpha_quality];
-    bool ok = start(&r, get_proc) && prepare(&r);
+    bool ok = start(&r, get_proc) && (r.style != STYLE_GLASS || start_glass(&r, get_proc)) && prepare(&r);
     if (ok && r.style == STYLE_AUTO) {
         tr_scene found = tr_scene_count(r.figures, r.figure_count, sizeof *r.figures);
         r.style = found.transparent || found.transparent_two_sided ? STYLE_HODGES : STYLE_OPAQUE;
@@ -1533,7 +1682,10 @@ bool illustrate_render(const illustrate_job *job, void (*(*get_proc)(const char 
     r.interior = ok ? choose_interior(&r) : TR_INTERIOR_IMPLICIT;
     ok = ok && (job->enter <= 0 || find_crossings(&r));
     if (ok && job->verbose)
-        fprintf(stderr, "style %s, %s interiors, %zu parts\n", r.style == STYLE_HODGES ? "hodges" : "opaque or lines",
+        fprintf(stderr, "style %s, %s interiors, %zu parts\n",
+                r.style == STYLE_HODGES  ? "hodges"
+                : r.style == STYLE_GLASS ? "glass"
+                                         : "opaque or lines",
                 interior_name(r.interior), r.figure_count);
     ok = ok && make_target(&r) && draw(&r);
     if (ok && job->explain)

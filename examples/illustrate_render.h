@@ -7,7 +7,7 @@
 
 #include "scene.h"
 
-typedef enum illustrate_style { STYLE_AUTO, STYLE_HODGES, STYLE_LINES, STYLE_OPAQUE } illustrate_style;
+typedef enum illustrate_style { STYLE_AUTO, STYLE_HODGES, STYLE_LINES, STYLE_OPAQUE, STYLE_GLASS } illustrate_style;
 typedef enum illustrate_shade { SHADE_COOL_TO_WARM, SHADE_FLAT } illustrate_shade;
 /* AUTO: explicit for transparent parts with inner walls, else implicit. PUBLISHED: implicit, with the paper's faults.
  * LAYERS: the closest transparent surfaces, whatever they belong to. */

@@ -1,5 +1,5 @@
 // For: oit_buffers.h
-// The pixels whose runs have more than OIT_ABOVE and at most OIT_CLASS records, composed over the target; with OIT_DEEP
+// The pixels whose runs have at most OIT_CLASS records and are too deep for the program drawn before, composed over the target; with OIT_DEEP
 // all that are deeper than the programs that were drawn before, OIT_CLASS records at a time.
 #if OIT_MODE == OIT_MODE_DUAL
 layout(location = 0, index = 0) out highp vec4 oit_out;
@@ -63,7 +63,7 @@ void main()
     if (n <= oit_step.y)
         discard;
 #else
-    if (n <= uint(OIT_ABOVE) || n > uint(OIT_CLASS))
+    if (n <= oit_above[OIT_INDEX] || n > uint(OIT_CLASS))
         discard;
 #endif
     oit_lay_run((start - oit_pool.y) * uint(OIT_VECTORS), n);

@@ -5,6 +5,7 @@ layout(std140, binding = OIT_UNIFORM_BINDING) uniform oit_frame
     highp ivec4 oit_area;  // x, y of the slab's corner in the target, its width and height
     highp uvec4 oit_pool;  // x: pixels of the slab, y: first fragment of the band, z: capacity, w: blocks of the scan
     highp uvec4 oit_step;  // x: 1 with the first slab of a frame, y: what is deeper is left to the program for all depths
+    highp uvec4 oit_above; // what is not deeper than this is left to the program before: of up to 8, 16, 32, 64
     highp vec4 oit_light;  // xyz: toward the light, unit length; zero: no shading. w: weight of the background
 };
 
@@ -16,6 +17,7 @@ layout(std140, binding = OIT_UNIFORM_BINDING) uniform oit_frame
 #define OIT_LOST 3u        // fragments that went to the tail
 #define OIT_EXTRA 4u       // fragments that the fill met and the count had not
 #define OIT_TOTAL 5u       // fragments of this slab
+#define OIT_PIXELS 8u      // from here on, by power of two: pixels of up to 8, 16, 32, 64 fragments, and of more
 #define OIT_HEADER 16u
 #define OIT_START(p) (OIT_HEADER + 2u * (p))
 #define OIT_LEFT(p) (OIT_HEADER + 1u + 2u * (p))

@@ -6,6 +6,6 @@ layout(std430, binding = OIT_BINDING_REPORT) writeonly buffer oit_report { uint 
 
 void main()
 {
-    for (uint i = 0u; i < 8u; ++i)
+    for (uint i = 0u; i < 16u; ++i)
         oit_total[i] = oit_pixel[i];
 }

@@ -1,20 +1,32 @@
 // For: oit_buffers.h
-// The scan, first of three: the fragments of each block, and of the deepest pixel.
+// The scan, first of three: the fragments of each block, those of the deepest pixel, and how deep the pixels are.
 layout(local_size_x = 128) in;
 layout(std430, binding = OIT_BINDING_PIXELS) buffer oit_pixels { uint oit_pixel[]; };
 shared uint oit_sums[128];
 shared uint oit_most[128];
+shared uint oit_classes[5];
+
+// 0 for up to 8, then one more for each doubling.
+uint oit_class(uint count)
+{
+    return count <= 8u ? 0u : min(uint(findMSB(count - 1u)) - 2u, 4u);
+}
 
 void main()
 {
     uint block = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
     uint self = gl_LocalInvocationID.x;
     uint sum = 0u, most = 0u;
+    if (self < 5u)
+        oit_classes[self] = 0u;
+    barrier();
     for (uint i = 0u; i < 8u; ++i) {
         uint p = block * OIT_BLOCK + 128u * i + self;
         uint count = p < oit_pool.x ? oit_pixel[OIT_LEFT(p)] : 0u;
         sum = oit_add(sum, count);
         most = max(most, count);
+        if (count > 0u)
+            atomicAdd(oit_classes[oit_class(count)], 1u);
     }
     oit_sums[self] = sum;
     oit_most[self] = most;
@@ -26,6 +38,8 @@ void main()
         }
         barrier();
     }
+    if (self < 5u && oit_classes[self] > 0u)
+        atomicAdd(oit_pixel[OIT_PIXELS + self], oit_classes[self]);
     if (self == 0u && block < oit_pool.w) {
         oit_pixel[OIT_SUM(block)] = oit_sums[0];
         atomicMax(oit_pixel[OIT_DEEPEST], oit_most[0]);

@@ -46,7 +46,7 @@ static struct {
     bool shader_hosts[MAX_NAMES];
     long now, finished; /* of commands; what the GPU has done */
     int waits;
-    uint32_t totals[8];    /* what the report kernel finds */
+    uint32_t totals[16];   /* what the report kernel finds */
     uint32_t pixel_starts; /* fragments of each pixel, for bands */
     const char *calls[MAX_CALLS];
     int call_count;
@@ -171,7 +171,8 @@ FAKE(void, Disable, (U a), (void)a;)
 FAKE(void, Disablei, (U a, U b), (void)a; (void)b;)
 FAKE(void, DispatchCompute, (U a, U b, U c), assert_true(a > 0 && a <= 65535 && b > 0 && b <= 65535 && c == 1);
      run_program();)
-FAKE(void, DrawArrays, (U a, I b, I c), (void)a; (void)b; (void)c; assert_true(driver.vertex_array != 0); run_program();)
+FAKE(void, DrawArrays, (U a, I b, I c), (void)a; (void)b; (void)c; assert_true(driver.vertex_array != 0);
+     run_program();)
 FAKE(void, Enable, (U a), (void)a;)
 FAKE(void, Enablei, (U a, U b), (void)a; (void)b;)
 FAKE(void, GenVertexArrays, (I a, U *b), assert_int_equal(a, 1); b[0] = create(ARRAYS);)
@@ -276,8 +277,8 @@ static void fake_MemoryBarrier(U bits) {
 
 /* What shaders would have written there. */
 static void write_results(fake_buffer *buffer) {
-    if (buffer->size == 32) {
-        memcpy(buffer->data, driver.totals, 32);
+    if (buffer->size == 64) {
+        memcpy(buffer->data, driver.totals, 64);
         return;
     }
     uint32_t *words = (uint32_t *)(void *)buffer->data;
@@ -469,7 +470,7 @@ static oit_context *make(oit_desc desc) {
 }
 
 static void set_totals(uint32_t fragments, uint32_t deepest) {
-    const uint32_t totals[8] = {fragments, deepest, 0, 0, 0, fragments, 0, 0};
+    const uint32_t totals[16] = {fragments, deepest, 0, 0, 0, fragments};
     memcpy(driver.totals, totals, sizeof totals);
 }
 

@@ -8,6 +8,8 @@
 
 #define TRANSPARENCY_IMPLEMENTATION
 #include "transparency.h"
+#define OIT_BUFFERS_IMPLEMENTATION
+#include "oit_buffers.h"
 
 /* A newer host may compile the same text as 430 or 310: what we write must be valid there too. */
 static const struct {
@@ -92,11 +94,65 @@ static bool dump_version(const char *folder, int version, bool reversed) {
     return ok;
 }
 
+static bool dump_oit_stage(const char *folder, const char *name, const char *suffix, const oit_i_source *source,
+                           const char *host_main) {
+    char path[512];
+    snprintf(path, sizeof path, "%s/%s.%s", folder, name, suffix);
+    FILE *file = fopen(path, "w");
+    if (!file) {
+        perror(path);
+        return false;
+    }
+    for (int i = 0; i < source->count; ++i)
+        fputs(source->strings[i], file);
+    fputs(host_main, file);
+    return fclose(file) == 0;
+}
+
+/* Every program of oit_buffers.h, and what hosts get, for one choice of what is stored. */
+static bool dump_oit(const char *folder, int choice, oit_desc desc, bool es) {
+    static char preamble[OIT_I_MAX_PREAMBLE], scratch[OIT_I_NETWORK_CAPACITY];
+    static const char *const suffixes[2] = {"vert", "frag"};
+    bool ok = true;
+    desc.uniform_binding = 14;
+    oit_i_write_preamble(&desc, es, preamble, sizeof preamble);
+    for (int program = 0; program < OIT_I_PROGRAMS; ++program)
+        for (int stage = 0; stage < (oit_i_is_compute(program) ? 1 : 2); ++stage) {
+            oit_i_source source;
+            char name[64];
+            oit_i_program_source(&source, program, (oit_stage)stage, &desc, es, preamble, scratch);
+            snprintf(name, sizeof name, "oit_program_%02d_%d%s", program, choice, es ? "_310es" : "_430");
+            ok = ok && dump_oit_stage(folder, name, oit_i_is_compute(program) ? "comp" : suffixes[stage], &source, "");
+        }
+    for (int fill = 0; fill < 2; ++fill) {
+        oit_i_source source;
+        char name[64];
+        oit_i_host_source(&source, OIT_FRAGMENT, fill, es, preamble);
+        snprintf(name, sizeof name, "oit_host_%d_%d%s", fill, choice, es ? "_310es" : "_430");
+        ok = ok && dump_oit_stage(folder, name, "frag", &source, "void main()\n{\n    oit_store(vec4(0.5));\n}\n");
+    }
+    return ok;
+}
+
+static bool dump_all_oit(const char *folder) {
+    static const oit_desc descs[] = {
+        {.fit = OIT_FIT_WAIT},
+        {.fit = OIT_FIT_ASYNC, .fields = OIT_FIELD_ALL, .color = OIT_COLOR_HALF, .host_words = 3, .reversed_z = 1},
+        {.fit = OIT_FIT_ASYNC, .fields = OIT_FIELD_BLEND, .color = OIT_COLOR_FLOAT, .premultiplied = 1},
+        {.fit = OIT_FIT_WAIT, .fields = OIT_FIELD_BLEND | OIT_FIELD_KEY},
+    };
+    bool ok = true;
+    for (int i = 0; ok && i < (int)(sizeof descs / sizeof descs[0]); ++i)
+        ok = dump_oit(folder, i, descs[i], false) && dump_oit(folder, i, descs[i], true);
+    return ok;
+}
+
 int main(int argc, char **argv) {
     bool ok = argc == 2;
     if (!ok)
         fprintf(stderr, "usage: dump_shaders FOLDER\n");
     for (int version = 0; ok && version < (int)(sizeof versions / sizeof versions[0]); ++version)
         ok = dump_version(argv[1], version, false) && dump_version(argv[1], version, true);
+    ok = ok && dump_all_oit(argv[1]);
     return ok ? 0 : 1;
 }
