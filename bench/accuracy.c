@@ -327,7 +327,7 @@ static void run_alpha(harness *h, const char *name, const scene_mesh *mesh) {
     free(fine.indices);
 }
 
-/* ---- pictures: interior methods and blendings ---- */
+/* ---- pictures: interior methods, layers and blendings ---- */
 
 static double rms_of(const ref_scene *seen, const ref_pixel *truth, const unsigned char *pixels) {
     double sum = 0, count = 0;
@@ -339,6 +339,7 @@ static double rms_of(const ref_scene *seen, const ref_pixel *truth, const unsign
     return count > 0 ? sqrt(sum / count) : 0;
 }
 
+/* The error is against the same rule, but that of few layers against as many as there can be. */
 static void run_picture(harness *h, stage *s, const char *effect, const char *name, const char *setting) {
     size_t pixels = (size_t)s->scene.width * (size_t)s->scene.height;
     double times[64];
@@ -356,6 +357,7 @@ static void run_picture(harness *h, stage *s, const char *effect, const char *na
     }
     harness_clear(h, s->scene.background, 1.0f);
     harness_draw(h, &s->scene, s->objects, s->count, NULL, picture);
+    s->scene.layers = s->scene.layers ? REF_MAX_LAYERS : 0;
     if (ref_render(&s->scene, truth))
         add_row(effect, name, setting, median(times, (size_t)count), harness_compare(&s->scene, truth, picture).max,
                 rms_of(&s->scene, truth, picture),
@@ -383,6 +385,13 @@ static void run_pictures(harness *h, const char *name, const scene *model) {
     for (int i = 0; i < 3; ++i) {
         s.scene.blending = (ref_blending)i;
         run_picture(h, &s, "blending", name, blendings[i]);
+    }
+    s.scene.interior = REF_INTERIOR_LAYERS;
+    for (int n = 1; n <= REF_MAX_LAYERS; ++n) {
+        char setting[16];
+        snprintf(setting, sizeof setting, "layers %d", n);
+        s.scene.layers = n;
+        run_picture(h, &s, "layers", name, setting);
     }
     stage_clear(&s);
 }
