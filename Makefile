@@ -80,8 +80,12 @@ headers-alone: ## compile each header by itself: C and C++ by gcc, clang, tcc an
 sanitize: build/embed_shaders ## unit, mock and GL tests and illustrate under AddressSanitizer and UndefinedBehaviorSanitizer
 	$(build) config=asan run-sanitized
 
-valgrind: $(unit_tests) $(mock_tests) | build/embed_shaders ## unit and mock tests under valgrind
-	@tools/run_suites $(patsubst %,'valgrind -q --error-exitcode=9 --leak-check=full %',$^)
+# Tests that take a second or more are left out, as they would take minutes; the fuzzer asks the same functions for less.
+too_long_for_valgrind := $(patsubst %,build/tests/unit_%,battlefield candidates containment extraction_fast models \
+    reference reference_dynamic)
+valgrind: $(filter-out $(too_long_for_valgrind),$(unit_tests)) $(mock_tests) build/fuzz_silhouette | build/embed_shaders ## unit and mock tests, and some fuzzing, under valgrind
+	@tools/run_suites $(patsubst %,'valgrind -q --error-exitcode=9 --leak-check=full %',$(filter-out %/fuzz_silhouette,$^)) \
+	    'valgrind -q --error-exitcode=9 --leak-check=full build/fuzz_silhouette 3000 1'
 
 tsan: tests/unit_threads.c ## one mesh in many threads, under ThreadSanitizer
 	@mkdir -p build/tsan
@@ -186,6 +190,10 @@ build/bench/%: bench/%.c build/libexamples.a | $(glad)
 build/fuzz/%: tests/%.c
 	@mkdir -p $(@D)
 	$(call say,FUZZER  $@)clang -std=c11 $(flags_asan) -fsanitize=fuzzer -DFUZZ_LIBFUZZER $(warnings) $(includes) $(depends) $< -lm -o $@
+
+build/fuzz_silhouette: tests/fuzz_silhouette.c
+	@mkdir -p $(@D)
+	$(call say,CC      $@)$(CC) $(flags) $(includes) $(depends) $< -lm -o $@
 
 build/%: tools/%.c
 	@mkdir -p $(@D)
