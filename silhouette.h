@@ -1589,9 +1589,9 @@ static void sil_i_weld_close(sil_mesh *mesh, const sil_mesh_desc *desc, uint32_t
 }
 
 static void sil_i_build_vertices(sil_mesh *mesh, const sil_mesh_desc *desc, sil_i_heap *heap, sil_i_heap *scratch) {
-    const size_t count = mesh->vertex_count, table_size = sil_i_table_size(count);
+    const size_t count = mesh->vertex_count;
     uint32_t *table, *next = NULL;
-    size_t i;
+    size_t i, table_size;
     mesh->welded = sil_i_take_words(heap, count);
     mesh->origin = sil_i_take_words(heap, count);
     mesh->referenced = sil_i_take_bytes(heap, count);
@@ -1604,6 +1604,7 @@ static void sil_i_build_vertices(sil_mesh *mesh, const sil_mesh_desc *desc, sil_
             (void)sil_i_new_vertex(mesh, desc, i);
         return;
     }
+    table_size = sil_i_table_size(count); /* what was taken before holds larger arrays: no overflow */
     table = sil_i_take_words(scratch, table_size);
     if (desc->weld_distance > 0)
         next = sil_i_take_words(scratch, count);
@@ -3060,7 +3061,6 @@ typedef struct sil_i_patches {
 typedef struct sil_i_head {
     uint32_t edge_first, edge_count, places;
     uint32_t planes; /* lines of planes */
-    uint32_t loose;  /* 1: a face has no plane */
 } sil_i_head;
 
 /* Eight boxes around float planes (normal, offset), each about an origin of its own: a plane n, d of the shape has offset
@@ -3072,7 +3072,7 @@ typedef struct sil_i_cones {
 /* Child k of cones i of a level is patch or cones 8 * i + k of the level below. */
 typedef struct sil_i_hierarchy {
     sil_i_cones *cones;
-    size_t first[SIL_I_LEVELS];
+    size_t first[SIL_I_LEVELS], count[SIL_I_LEVELS]; /* of each level from 1 on: its cones, and boxes in them */
     unsigned levels;
 } sil_i_hierarchy;
 
@@ -3210,7 +3210,7 @@ static void sil_i_list_edges(const sil_mesh *mesh, sil_i_patches *p) {
 
 /* Rims and blocks: counted first, then filled. */
 static void sil_i_fill_patches(const sil_mesh *mesh, sil_i_patches *p, int planes, sil_i_heap *heap, uint32_t *place) {
-    uint32_t rim[SIL_I_PLACES], patch;
+    uint32_t rim[SIL_I_PLACES], patch, lines;
     size_t i, count;
     int pass;
     p->rim_first[0] = p->line[0] = 0;
@@ -3218,7 +3218,6 @@ static void sil_i_fill_patches(const sil_mesh *mesh, sil_i_patches *p, int plane
         memset(place, 0xff, mesh->face_count * sizeof(uint32_t));
         for (patch = 0; patch < p->count; ++patch) {
             const uint32_t edges = p->edge_first[patch + 1] - p->edge_first[patch];
-            uint32_t lines;
             count = sil_i_patch_rim(mesh, p, patch, place, rim);
             p->rim_first[patch + 1] =
                 p->rim_first[patch] + (uint32_t)((count + SIL_I_LANES - 1) / SIL_I_LANES * SIL_I_LANES);
@@ -3234,10 +3233,11 @@ static void sil_i_fill_patches(const sil_mesh *mesh, sil_i_patches *p, int plane
         if (pass)
             return;
         p->rim = sil_i_take_words(heap, p->rim_first[p->count]);
-        p->memory =
-            sil_i_take_bytes(heap, SIL_I_LINE * ((size_t)p->line[p->count] + 5)); /* vectors are read past ends */
+        lines = p->line[p->count] + 5; /* vectors are read past ends */
+        p->memory = (unsigned char *)sil_i_take(heap, lines, SIL_I_LINE);
         if (heap->failed)
             return;
+        memset(p->memory, 0, SIL_I_LINE * (size_t)lines);
         p->block = p->memory + (SIL_I_LINE - (size_t)(uintptr_t)p->memory % SIL_I_LINE) % SIL_I_LINE;
     }
 }
@@ -3352,7 +3352,8 @@ static void sil_i_cone_set(const sil_mesh *mesh, const unsigned char *never, siz
 
 #define SIL_I_FINE 32767.0 /* steps from the middle of a box to its side */
 
-/* A patch's planes as 16-bit steps from the middle of its box; eight faces' nx, ny in turn, then their nz, d. */
+/* A patch's planes as 16-bit steps from the middle of its box; eight faces' nx, ny in turn, then their nz, d. A face
+   without a plane has four zeros: its t is 0, always in doubt. */
 static void sil_i_quantise(const sil_mesh *mesh, const sil_i_hierarchy *h, size_t patch) {
     sil_i_head *head = (sil_i_head *)(void *)(mesh->patches->block + SIL_I_LINE * (size_t)mesh->patches->line[patch]);
     const sil_i_cones *c = &h->cones[h->first[1] + patch / SIL_I_LANES];
@@ -3370,8 +3371,6 @@ static void sil_i_quantise(const sil_mesh *mesh, const sil_i_hierarchy *h, size_
             const double steps = (plane[k] - (double)c->mid[k][lane]) / (double)c->half[k][lane] * SIL_I_FINE;
             out[k / 2 * 16 + k % 2] = (int16_t)floor(steps + 0.5);
         }
-        head->loose |= !(
-            fabsf(mesh->rest.plane[0][face]) + fabsf(mesh->rest.plane[1][face]) + fabsf(mesh->rest.plane[2][face]) > 0);
     }
 }
 
@@ -3382,7 +3381,7 @@ static void sil_i_fill_hierarchy(const sil_mesh *mesh, sil_i_hierarchy *h, unsig
         never[i] = (unsigned char)sil_i_patch_is_flat(mesh, i);
     h->first[1] = 0;
     for (;;) { /* `count` boxes of `spans` patches each, and boxes of nothing up to a multiple of eight */
-        ++h->levels;
+        h->count[++h->levels] = count;
         for (i = 0; i < (count + SIL_I_LANES - 1) / SIL_I_LANES * SIL_I_LANES; ++i) {
             const size_t first = i * spans < patches ? i * spans : patches;
             const size_t end = patches - first < spans ? patches : first + spans;
@@ -4523,14 +4522,16 @@ SIL_I_WIDE static unsigned sil_i_undecided_wide(const sil_i_cones *c, const sil_
     const __m256 r = _mm256_add_ps(_mm256_add_ps(gx, gy), _mm256_add_ps(_mm256_add_ps(gz, gd), pad));
     const unsigned bits = 255u ^ (unsigned)_mm256_movemask_ps(_mm256_cmp_ps(_mm256_andnot_ps(sign, t), r, _CMP_GT_OQ));
     if (bits && out) {
+        /* Boxes of nothing have sizes below nothing: no weights, as exceptions may be trapped. */
+        const __m256 zero = _mm256_setzero_ps(), wx = _mm256_mul_ps(_mm256_max_ps(hx, zero), x);
+        const __m256 wy = _mm256_mul_ps(_mm256_max_ps(hy, zero), y), wz = _mm256_mul_ps(_mm256_max_ps(hz, zero), z);
+        const __m256 wd = _mm256_mul_ps(_mm256_max_ps(hd, zero), w);
         const __m256 largest =
             _mm256_max_ps(_mm256_max_ps(_mm256_max_ps(gx, gy), _mm256_max_ps(gz, gd)), _mm256_set1_ps(1e-20f));
         const __m256 one = _mm256_div_ps(_mm256_set1_ps(SIL_I_WEIGHT), largest);
         const __m256 unit = _mm256_mul_ps(one, _mm256_set1_ps(32767.0f)), slack = _mm256_set1_ps(SIL_I_SLACK);
-        sil_i_pairs_wide(_mm256_mul_ps(_mm256_mul_ps(hx, x), one), _mm256_mul_ps(_mm256_mul_ps(hy, y), one),
-                         out->weight[0]);
-        sil_i_pairs_wide(_mm256_mul_ps(_mm256_mul_ps(hz, z), one), _mm256_mul_ps(_mm256_mul_ps(hd, w), one),
-                         out->weight[1]);
+        sil_i_pairs_wide(_mm256_mul_ps(wx, one), _mm256_mul_ps(wy, one), out->weight[0]);
+        sil_i_pairs_wide(_mm256_mul_ps(wz, one), _mm256_mul_ps(wd, one), out->weight[1]);
         sil_i_clamp_wide(_mm256_add_ps(_mm256_mul_ps(_mm256_sub_ps(pad, t), unit), slack), out->above);
         sil_i_clamp_wide(_mm256_sub_ps(_mm256_mul_ps(_mm256_add_ps(pad, t), _mm256_xor_ps(sign, unit)), slack),
                          out->below);
@@ -4749,13 +4750,7 @@ SIL_I_INLINE void sil_i_batch_run(sil_i_batch *batch, int wide) {
     for (i = 0; i < batch->count; ++i) {
         const sil_i_head *head = batch->head[i];
         sil_i_mask front, unsure;
-        int doubt = 1;
-        if (head->loose) {
-            front[0] = front[1] = 0;
-            sil_i_all_places(head->places, unsure);
-        } else
-            doubt = sil_i_patch_signs(sil_i_patch_planes(head), head->places, batch->eye[i], front, unsure, wide);
-        if (doubt)
+        if (sil_i_patch_signs(sil_i_patch_planes(head), head->places, batch->eye[i], front, unsure, wide))
             sil_i_gather_signs(batch->signs, batch->patch[i], unsure, front);
         sil_i_batch_find(batch, head, front, wide);
     }
@@ -4792,9 +4787,12 @@ SIL_I_INLINE size_t sil_i_hunt_by(const sil_i_signs *signs, sil_i_edges_out *out
     while (top) {
         const unsigned below = level[--top] - 1u;
         const size_t at = stack[top];
+        const size_t left = h->count[below + 1] - at * SIL_I_LANES;
         const sil_i_cones *cones = &h->cones[h->first[below + 1] + at];
         sil_i_patch_eyes eyes;
         unsigned k, bits = sil_i_undecided(cones, &signs->eye, below ? NULL : &eyes, wide);
+        if (left < SIL_I_LANES) /* boxes of nothing, which an eye too far off for float planes does not leave out */
+            bits &= (1u << left) - 1;
         if (below)
             for (k = SIL_I_LANES; k-- > 0;) { /* the first on top of the stack */
                 stack[top] = (uint32_t)(at * SIL_I_LANES + k);
@@ -5305,12 +5303,16 @@ static int sil_i_corner_place(const sil_i_corners *corners, uint32_t vertex, dou
     for (k = 0; k < 4; ++k)
         out[k] = m[k] * (double)p[0] + m[4 + k] * (double)p[1] + m[8 + k] * (double)p[2] + m[12 + k];
     memcpy(place, out, 3 * sizeof *place);
+    if (corners->shape->bad[vertex])
+        return 0;
     if (!(corners->width > 0))
-        return !corners->shape->bad[vertex];
+        return 1;
+    if (!(out[3] > 0))
+        return 0;
     place[0] = 0.5 * corners->width * out[0] / out[3];
     place[1] = 0.5 * corners->height * out[1] / out[3];
     place[2] = 0;
-    return out[3] > 0 && !corners->shape->bad[vertex];
+    return 1;
 }
 
 /* The angle by which a line turns at p[1] on its way from p[0] to p[2]; 0 where it has no direction. Its tangent, not
@@ -5379,7 +5381,9 @@ SIL_DEF size_t sil_chain_corners(const sil_mesh *mesh, sil_pose *pose, const sil
         *vertices_needed = 0;
     if (!mesh || !edges || !edge_count || (pose && pose->mesh != mesh))
         return 0;
-    memory = edge_count < 0x40000000u ? sil_i_scratch(mesh, pose, sil_i_chain_size(edge_count)) : NULL;
+    memory = edge_count < 0x40000000u && edge_count < (size_t)-1 / 64
+                 ? sil_i_scratch(mesh, pose, sil_i_chain_size(edge_count))
+                 : NULL;
     if (!memory) {
         if (vertices_needed)
             *vertices_needed = (size_t)-1;
@@ -6038,6 +6042,8 @@ static sil_result sil_i_tree_room(sil_edge_tree *tree, size_t edge_count) {
     char *memory;
     if (tree->memory && edge_count <= tree->capacity)
         return SIL_OK;
+    if (edge_count > (size_t)-1 / 128)
+        return SIL_OUT_OF_MEMORY;
     leaves = edge_count / SIL_I_LANES + 1;
     lanes = leaves * SIL_I_LANES;
     boxes = leaves / 7 + SIL_I_LEVELS;
