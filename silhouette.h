@@ -1,4 +1,4 @@
-/* silhouette.h - v0.1.0 - feature lines of triangle meshes, on the CPU - MIT licence (text at the end of the file)
+/* silhouette.h - v0.2.0 - feature lines of triangle meshes, on the CPU - MIT licence (text at the end of the file)
 
     Silhouettes, creases, boundaries and non-manifold edges of a triangle mesh for a given eye; chains of them; screen
     space ribbons with the illustrators' weights, dashes, joins and caps; smooth silhouettes; the distance of every
@@ -82,16 +82,19 @@
     ERRORS, MEMORY, THREADS
       - Functions that can fail say so by a sil_result. sil_mesh_create gives NULL and the reason; messages in words go
         to desc.log_fn, which is called only while a mesh is being made.
-      - Memory comes from desc.allocator. sil_mesh_create and sil_pose_create allocate. sil_pose_set, and a dead zone
-        that remembers, do so the first time. sil_chain needs scratch memory: with a pose it is kept there and only ever grows; sil_pose_reserve makes
-        it large enough at once. So a steady frame allocates nothing. sil_chain without a pose allocates and frees in
-        the call. So does sil_smooth, with 32 bytes a vertex and one a face. A sil_dashes grows with the lines that it
-        follows. A sil_edge_tree allocates when built over more edges than ever before, unless sil_edge_tree_reserve
-        has made room. All other functions never allocate.
-      - No global variables. A mesh never changes once made: any number of threads may use it at once. A pose holds what
-        changes; use one pose by one thread at a time. sil_distances only reads the pose, so several threads may share
-        one in calls of it, each with its own range of vertices; the same holds for sil_distances_by_tree and
-        sil_distances_at once the tree is built. These two use 40 KiB of stack.
+      - Memory comes from desc.allocator; a sil_dashes has one of its own. What is made by sil_mesh_create,
+        sil_pose_create, sil_edge_tree_create and sil_dashes_create is allocated. sil_pose_set, and a dead zone that
+        remembers, allocate the first time. A pose keeps the scratch memory of sil_chain and sil_smooth and the edges of
+        sil_track, an edge tree its edges, a sil_dashes its lines; all that only ever grows, and sil_pose_reserve
+        (chains and tracks) and sil_edge_tree_reserve make it large enough at once. So a steady frame allocates nothing.
+        Without a pose sil_chain and sil_smooth allocate and free in the call. sil_mesh_components and sil_containment
+        always do. All other functions never allocate.
+      - No global variables. A mesh never changes once made: any number of threads may use it at once, also to create
+        poses and trees if the allocator allows it. A pose, an edge tree and a sil_dashes hold what changes: each is for
+        one thread at a time in functions that take it without const. Those that take it const only read it, and
+        threads may share it in them: a pose in sil_distances and sil_ribbons, a built tree in sil_distances_by_tree,
+        sil_distances_at and sil_candidates, each thread with a range of its own. The first two of these three use 40
+        KiB of stack.
 
     THE EYE
       The eye is homogeneous and in the coordinates of the mesh: a point with w = 1, or a direction toward the eye with
@@ -213,8 +216,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#define SIL_VERSION "0.1.0"
-#define SIL_VERSION_NUMBER 100 /* major * 10000 + minor * 100 + patch */
+#define SIL_VERSION "0.2.0"
+#define SIL_VERSION_NUMBER 200 /* major * 10000 + minor * 100 + patch */
 
 #ifndef SIL_DEF
 #ifndef SIL_STATIC
@@ -259,8 +262,7 @@ enum {
     SIL_BOUNDARY = 2,    /* edge of one face */
     SIL_CREASE = 4,      /* dihedral angle above crease_degrees; in a view: both faces in front, no silhouette */
     SIL_NONMANIFOLD = 8, /* edge of three or more faces */
-    SIL_PART_BORDER =
-        64 /* between faces of different parts (face_parts); in a view: both faces in front, no silhouette */
+    SIL_PART_BORDER = 64 /* between faces of different parts; in a view: both faces in front, no silhouette */
 };
 /* More about an edge of two faces, in sil_edge.kinds only: cannot be asked for, and makes no difference to strips. Exact,
    from the rest positions: each face's third corner lies behind or before the other's plane. Neither: in the plane, or
@@ -271,10 +273,12 @@ enum { SIL_CONVEX = 16, SIL_CONCAVE = 32 };
 enum { SIL_LOG_ERROR = 1, SIL_LOG_WARNING = 2 }; /* level of a message */
 typedef void (*sil_log_fn)(int level, int code, const char *text, void *user);
 
-enum { SIL_MESH_NO_HIERARCHY = 1, SIL_MESH_HIERARCHY = 2 }; /* flags of a mesh: never one, or however small it is */
+/* Flags of a mesh. */
 enum {
-    SIL_MESH_ORIENT = 16
-}; /* flag of a mesh: wind faces as their neighbours are, and solids outward (DIRTY MESHES) */
+    SIL_MESH_NO_HIERARCHY = 1, /* never one */
+    SIL_MESH_HIERARCHY = 2,    /* one, however small the mesh is */
+    SIL_MESH_ORIENT = 16       /* wind faces as their neighbours are, and solids outward (DIRTY MESHES) */
+};
 
 /* Both functions or neither. alloc_fn returns memory aligned for any type, or NULL. */
 typedef struct sil_allocator {
@@ -368,7 +372,7 @@ SIL_DEF void sil_pose_destroy(sil_pose *pose); /* before its mesh; NULL is fine 
    with the smallest index. NULL: back to the rest positions. SIL_INVALID_ARGUMENT, SIL_OUT_OF_MEMORY (nothing changed).
    */
 SIL_DEF sil_result sil_pose_set(sil_pose *pose, const float *positions, size_t stride);
-/* Makes room for sil_chain and sil_track with so many edges, so that they allocate nothing later. */
+/* Makes room for sil_chain and sil_track with so many edges (each once), so that they allocate nothing later. */
 SIL_DEF sil_result sil_pose_reserve(sil_pose *pose, size_t edge_count);
 
 /* A dead zone for all later views of the pose: a face whose plane is within an angle of the line of sight to the middle
@@ -470,10 +474,9 @@ typedef struct sil_smooth_point {
     float t;           /* at this part of it, 0 to 1 */
 } sil_smooth_point;
 
-enum {
-    SIL_SMOOTH_HERMITE = 1
-}; /* points on a cubic curve over the edge that is at right angles to the normals at both
-                                    ends, not on the edge: much closer to a smooth surface */
+/* Flag of sil_smooth: points not on the edge but on a cubic curve over it that is at right angles to the normals at both ends: much
+   closer to a smooth surface */
+enum { SIL_SMOOTH_HERMITE = 1 };
 
 /* normals: one a vertex, any length (stride in bytes, 0: 12); welded vertices have the sum of theirs made unit. NULL:
    made from the faces in this pose, exact on spheres (Max 1999). n * (eye - position) is taken to be linear along
@@ -510,7 +513,7 @@ SIL_DEF sil_result sil_distances(const sil_mesh *mesh, const sil_pose *pose, con
 typedef struct sil_edge_tree sil_edge_tree;
 SIL_DEF sil_edge_tree *sil_edge_tree_create(const sil_mesh *mesh, sil_result *result);
 SIL_DEF void sil_edge_tree_destroy(sil_edge_tree *tree); /* before its mesh; NULL is fine */
-/* Makes room for so many edges, so that building allocates nothing later. */
+/* Makes room for so many edges (each once), so that building allocates nothing later. */
 SIL_DEF sil_result sil_edge_tree_reserve(sil_edge_tree *tree, size_t edge_count);
 /* Over these edges in the pose's positions; edges are not needed afterwards, mesh and pose are. Build again after the
    pose was set. SIL_INVALID_ARGUMENT, SIL_OUT_OF_MEMORY: the tree is empty then. */
@@ -1184,24 +1187,28 @@ static void sil_i_eye_make(sil_i_eye *eye, const sil_view *view, const sil_i_sha
             eye->along |= SIL_I_NO_SHADOW << i;
 }
 
+/* Sign of det[b-a, c-a, p-w*a] for a point (w = 1) or a direction (w = 0) whose coordinates are floats. */
+static int sil_i_side_of(const float *a, const float *b, const float *c, const float *p, int w) {
+    sil_i_eye eye;
+    int k, sign, finite = 1;
+    memset(&eye, 0, sizeof eye);
+    for (k = 0; k < 3; ++k) {
+        eye.e[k] = (double)p[k];
+        eye.number[k] = sil_i_from_double(eye.e[k], &finite);
+    }
+    eye.e[3] = w;
+    eye.number[3].mantissa = (uint64_t)w;
+    sign = sil_i_filtered_sign(a, b, c, &eye);
+    if (!sign && !sil_i_plainly_zero(a, b, c, &eye))
+        sign = sil_i_exact_sign(a, b, c, &eye);
+    return sign;
+}
+
 /* On which side of a face's plane in rest is a point? 1 in front of it, 0 exactly in it. */
 static int sil_i_off_plane(const sil_mesh *mesh, uint32_t face, const float *point) {
     const uint32_t *corner = mesh->corner + 3 * (size_t)face;
-    const float *p[3];
-    sil_i_eye eye;
-    int i, sign, finite = 1;
-    memset(&eye, 0, sizeof eye);
-    for (i = 0; i < 3; ++i) {
-        p[i] = mesh->rest.position + 3 * (size_t)corner[i];
-        eye.e[i] = (double)point[i];
-        eye.number[i] = sil_i_from_double(eye.e[i], &finite);
-    }
-    eye.e[3] = 1;
-    eye.number[3].mantissa = 1;
-    sign = sil_i_filtered_sign(p[0], p[1], p[2], &eye);
-    if (!sign && !sil_i_plainly_zero(p[0], p[1], p[2], &eye))
-        sign = sil_i_exact_sign(p[0], p[1], p[2], &eye);
-    return sign;
+    const float *p = mesh->rest.position;
+    return sil_i_side_of(p + 3 * (size_t)corner[0], p + 3 * (size_t)corner[1], p + 3 * (size_t)corner[2], point, 1);
 }
 
 /* Do two faces with an area lie exactly in one plane and look the same way? */
@@ -1220,17 +1227,24 @@ static int sil_i_same_plane(const sil_mesh *mesh, uint32_t f, uint32_t g) {
     return 1;
 }
 
-static uint32_t sil_i_root(const sil_mesh *mesh, uint32_t face) {
-    size_t low = 0, high = mesh->flat_count;
+/* The place of the first of some rising words that is not below a value. */
+static size_t sil_i_find_word(const uint32_t *words, size_t count, uint32_t value) {
+    size_t low = 0, high = count;
     while (low < high) {
         const size_t middle = low + (high - low) / 2;
-        if (mesh->flat_face[middle] < face)
+        if (words[middle] < value)
             low = middle + 1;
         else
             high = middle;
     }
-    SIL_ASSERT(low < mesh->flat_count && mesh->flat_face[low] == face);
-    return mesh->flat_root[low];
+    return low;
+}
+
+/* The face whose sign a face with SIL_I_BORROWS takes, or SIL_NONE. */
+static uint32_t sil_i_root(const sil_mesh *mesh, uint32_t face) {
+    const size_t at = sil_i_find_word(mesh->flat_face, mesh->flat_count, face);
+    SIL_ASSERT(at < mesh->flat_count && mesh->flat_face[at] == face);
+    return mesh->flat_root[at];
 }
 
 /* Is the face in front, where its float plane does not tell? */
@@ -1589,9 +1603,9 @@ static void sil_i_weld_close(sil_mesh *mesh, const sil_mesh_desc *desc, uint32_t
 }
 
 static void sil_i_build_vertices(sil_mesh *mesh, const sil_mesh_desc *desc, sil_i_heap *heap, sil_i_heap *scratch) {
-    const size_t count = mesh->vertex_count, table_size = sil_i_table_size(count);
+    const size_t count = mesh->vertex_count;
     uint32_t *table, *next = NULL;
-    size_t i;
+    size_t i, table_size;
     mesh->welded = sil_i_take_words(heap, count);
     mesh->origin = sil_i_take_words(heap, count);
     mesh->referenced = sil_i_take_bytes(heap, count);
@@ -1604,6 +1618,7 @@ static void sil_i_build_vertices(sil_mesh *mesh, const sil_mesh_desc *desc, sil_
             (void)sil_i_new_vertex(mesh, desc, i);
         return;
     }
+    table_size = sil_i_table_size(count); /* what was taken before holds larger arrays: no overflow */
     table = sil_i_take_words(scratch, table_size);
     if (desc->weld_distance > 0)
         next = sil_i_take_words(scratch, count);
@@ -2473,23 +2488,6 @@ static void sil_i_close_cracks(sil_mesh *mesh, double distance, size_t face_byte
 
 /* ---- rays, exactly ---- */
 
-/* Sign of det[b-a, c-a, p-w*a] for a point (w = 1) or a direction (w = 0) whose coordinates are floats. */
-static int sil_i_side_of(const float *a, const float *b, const float *c, const float *p, int w) {
-    sil_i_eye eye;
-    int k, sign, finite = 1;
-    memset(&eye, 0, sizeof eye);
-    for (k = 0; k < 3; ++k) {
-        eye.e[k] = (double)p[k];
-        eye.number[k] = sil_i_from_double(eye.e[k], &finite);
-    }
-    eye.e[3] = w;
-    eye.number[3].mantissa = (uint64_t)w;
-    sign = sil_i_filtered_sign(a, b, c, &eye);
-    if (!sign && !sil_i_plainly_zero(a, b, c, &eye))
-        sign = sil_i_exact_sign(a, b, c, &eye);
-    return sign;
-}
-
 /* On which side of the line a b a point lies, seen along an axis. A point on the line counts as moved by next to
    nothing along the one other axis, and by still less along the next: of the faces at an edge or a vertex that a ray
    meets, it then passes through one, or through none where they fold. 0: the line is a point. */
@@ -2904,16 +2902,9 @@ static double sil_i_dihedral(const sil_mesh *mesh, uint32_t face0, uint32_t face
            (180 / SIL_I_PI);
 }
 
+/* The place of an edge with SIL_I_MANY in many_edge. */
 static size_t sil_i_find_many(const sil_mesh *mesh, uint32_t edge) {
-    size_t low = 0, high = mesh->many_count;
-    while (low < high) {
-        const size_t middle = low + (high - low) / 2;
-        if (mesh->many_edge[middle] < edge)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    return low;
+    return sil_i_find_word(mesh->many_edge, mesh->many_count, edge);
 }
 
 /* An edge of many where faces without area stayed because there are no two others: a border if only one of its faces
@@ -3014,22 +3005,30 @@ static void sil_i_join_sets(uint32_t *parent, uint32_t a, uint32_t b) {
         parent[a] = b;
 }
 
+/* The component of each face, numbered by their first faces. Returns how many there are. */
+static uint32_t sil_i_label_components(const sil_mesh *mesh, uint32_t *label) {
+    uint32_t i, count = 0;
+    for (i = 0; i < mesh->face_count; ++i)
+        label[i] = i;
+    for (i = 0; i < 3 * mesh->face_count; ++i) /* every face with the first of each of its edges */
+        sil_i_join_sets(label, i / 3, mesh->edge_face[0][mesh->face_edge[i]]);
+    for (i = 0; i < mesh->face_count; ++i)
+        label[i] = sil_i_find_set(label, i);
+    for (i = 0; i < mesh->face_count; ++i) /* a set's first face is its name, and comes before the others */
+        label[i] = label[i] == i ? count++ : label[label[i]];
+    return count;
+}
+
 static void sil_i_build_components(sil_mesh *mesh, sil_i_heap *scratch) {
-    uint32_t *parent = sil_i_take_words(scratch, mesh->face_count);
-    size_t i, e;
-    if (parent) {
-        for (i = 0; i < mesh->face_count; ++i)
-            parent[i] = (uint32_t)i;
-        for (i = 0; i < 3 * mesh->face_count; ++i) /* every face with the first of each of its edges */
-            sil_i_join_sets(parent, (uint32_t)(i / 3), mesh->edge_face[0][mesh->face_edge[i]]);
-        for (i = 0; i < mesh->face_count; ++i)
-            mesh->info.component_count += parent[i] == i;
-    }
+    uint32_t *label = sil_i_take_words(scratch, mesh->face_count);
+    size_t e;
+    if (label)
+        mesh->info.component_count = sil_i_label_components(mesh, label);
     mesh->info.closed = mesh->face_count > 0 && !mesh->info.boundary_edge_count;
     for (e = 0; e < mesh->many_count; ++e)
         if ((mesh->many_first[e + 1] - mesh->many_first[e]) % 2)
             mesh->info.closed = 0;
-    sil_i_give(&scratch->allocator, parent);
+    sil_i_give(&scratch->allocator, label);
 }
 
 /* ---- patches and the hierarchy ---- */
@@ -3060,7 +3059,6 @@ typedef struct sil_i_patches {
 typedef struct sil_i_head {
     uint32_t edge_first, edge_count, places;
     uint32_t planes; /* lines of planes */
-    uint32_t loose;  /* 1: a face has no plane */
 } sil_i_head;
 
 /* Eight boxes around float planes (normal, offset), each about an origin of its own: a plane n, d of the shape has offset
@@ -3072,7 +3070,7 @@ typedef struct sil_i_cones {
 /* Child k of cones i of a level is patch or cones 8 * i + k of the level below. */
 typedef struct sil_i_hierarchy {
     sil_i_cones *cones;
-    size_t first[SIL_I_LEVELS];
+    size_t first[SIL_I_LEVELS], count[SIL_I_LEVELS]; /* of each level from 1 on: its cones, and boxes in them */
     unsigned levels;
 } sil_i_hierarchy;
 
@@ -3210,7 +3208,7 @@ static void sil_i_list_edges(const sil_mesh *mesh, sil_i_patches *p) {
 
 /* Rims and blocks: counted first, then filled. */
 static void sil_i_fill_patches(const sil_mesh *mesh, sil_i_patches *p, int planes, sil_i_heap *heap, uint32_t *place) {
-    uint32_t rim[SIL_I_PLACES], patch;
+    uint32_t rim[SIL_I_PLACES], patch, lines;
     size_t i, count;
     int pass;
     p->rim_first[0] = p->line[0] = 0;
@@ -3218,7 +3216,6 @@ static void sil_i_fill_patches(const sil_mesh *mesh, sil_i_patches *p, int plane
         memset(place, 0xff, mesh->face_count * sizeof(uint32_t));
         for (patch = 0; patch < p->count; ++patch) {
             const uint32_t edges = p->edge_first[patch + 1] - p->edge_first[patch];
-            uint32_t lines;
             count = sil_i_patch_rim(mesh, p, patch, place, rim);
             p->rim_first[patch + 1] =
                 p->rim_first[patch] + (uint32_t)((count + SIL_I_LANES - 1) / SIL_I_LANES * SIL_I_LANES);
@@ -3234,10 +3231,11 @@ static void sil_i_fill_patches(const sil_mesh *mesh, sil_i_patches *p, int plane
         if (pass)
             return;
         p->rim = sil_i_take_words(heap, p->rim_first[p->count]);
-        p->memory =
-            sil_i_take_bytes(heap, SIL_I_LINE * ((size_t)p->line[p->count] + 5)); /* vectors are read past ends */
+        lines = p->line[p->count] + 5; /* vectors are read past ends */
+        p->memory = (unsigned char *)sil_i_take(heap, lines, SIL_I_LINE);
         if (heap->failed)
             return;
+        memset(p->memory, 0, SIL_I_LINE * (size_t)lines);
         p->block = p->memory + (SIL_I_LINE - (size_t)(uintptr_t)p->memory % SIL_I_LINE) % SIL_I_LINE;
     }
 }
@@ -3352,7 +3350,8 @@ static void sil_i_cone_set(const sil_mesh *mesh, const unsigned char *never, siz
 
 #define SIL_I_FINE 32767.0 /* steps from the middle of a box to its side */
 
-/* A patch's planes as 16-bit steps from the middle of its box; eight faces' nx, ny in turn, then their nz, d. */
+/* A patch's planes as 16-bit steps from the middle of its box; eight faces' nx, ny in turn, then their nz, d. A face
+   without a plane has four zeros: its t is 0, always in doubt. */
 static void sil_i_quantise(const sil_mesh *mesh, const sil_i_hierarchy *h, size_t patch) {
     sil_i_head *head = (sil_i_head *)(void *)(mesh->patches->block + SIL_I_LINE * (size_t)mesh->patches->line[patch]);
     const sil_i_cones *c = &h->cones[h->first[1] + patch / SIL_I_LANES];
@@ -3370,8 +3369,6 @@ static void sil_i_quantise(const sil_mesh *mesh, const sil_i_hierarchy *h, size_
             const double steps = (plane[k] - (double)c->mid[k][lane]) / (double)c->half[k][lane] * SIL_I_FINE;
             out[k / 2 * 16 + k % 2] = (int16_t)floor(steps + 0.5);
         }
-        head->loose |= !(
-            fabsf(mesh->rest.plane[0][face]) + fabsf(mesh->rest.plane[1][face]) + fabsf(mesh->rest.plane[2][face]) > 0);
     }
 }
 
@@ -3382,7 +3379,7 @@ static void sil_i_fill_hierarchy(const sil_mesh *mesh, sil_i_hierarchy *h, unsig
         never[i] = (unsigned char)sil_i_patch_is_flat(mesh, i);
     h->first[1] = 0;
     for (;;) { /* `count` boxes of `spans` patches each, and boxes of nothing up to a multiple of eight */
-        ++h->levels;
+        h->count[++h->levels] = count;
         for (i = 0; i < (count + SIL_I_LANES - 1) / SIL_I_LANES * SIL_I_LANES; ++i) {
             const size_t first = i * spans < patches ? i * spans : patches;
             const size_t end = patches - first < spans ? patches : first + spans;
@@ -3728,20 +3725,6 @@ SIL_DEF sil_result sil_view_from_matrices(const float model_view[16], const floa
 
 /* ---- containment ---- */
 
-/* The component of each face, numbered by their first faces. Returns how many there are. */
-static uint32_t sil_i_label_components(const sil_mesh *mesh, uint32_t *label) {
-    uint32_t i, count = 0;
-    for (i = 0; i < mesh->face_count; ++i)
-        label[i] = i;
-    for (i = 0; i < 3 * mesh->face_count; ++i) /* every face with the first of each of its edges */
-        sil_i_join_sets(label, i / 3, mesh->edge_face[0][mesh->face_edge[i]]);
-    for (i = 0; i < mesh->face_count; ++i)
-        label[i] = sil_i_find_set(label, i);
-    for (i = 0; i < mesh->face_count; ++i) /* a set's first face is its name, and comes before the others */
-        label[i] = label[i] == i ? count++ : label[label[i]];
-    return count;
-}
-
 SIL_DEF sil_result sil_mesh_components(const sil_mesh *mesh, uint32_t *components, size_t triangle_count) {
     sil_i_heap heap;
     uint32_t *label;
@@ -3993,9 +3976,9 @@ static void sil_i_try_point(sil_i_world *w, uint32_t part, const double point[3]
         if (!has)
             continue;
         w->stamp[s->part] = stamp;
-        if (!w->hits[2 * s->part] && !w->hits[2 * s->part + 1])
+        if (!w->hits[2 * (size_t)s->part] && !w->hits[2 * (size_t)s->part + 1])
             w->touched[(*touched)++] = s->part;
-        ++w->hits[2 * s->part + (has == 2)];
+        ++w->hits[2 * (size_t)s->part + (has == 2)];
     }
 }
 
@@ -4009,8 +3992,9 @@ static void sil_i_try_part(sil_i_world *w, uint32_t part, uint32_t *stamp, uint3
         sil_i_try_point(w, part, point, ++*stamp, &touched);
     }
     for (i = 0; i < touched; ++i) {
-        const uint32_t around = w->touched[i], within = w->hits[2 * around], on = w->hits[2 * around + 1];
-        w->hits[2 * around] = w->hits[2 * around + 1] = 0;
+        const uint32_t around = w->touched[i], within = w->hits[2 * (size_t)around],
+                       on = w->hits[2 * (size_t)around + 1];
+        w->hits[2 * (size_t)around] = w->hits[2 * (size_t)around + 1] = 0;
         if (within && within + on == total)
             sil_i_add_pair(w, part, around);
         else if (within) {
@@ -4523,14 +4507,16 @@ SIL_I_WIDE static unsigned sil_i_undecided_wide(const sil_i_cones *c, const sil_
     const __m256 r = _mm256_add_ps(_mm256_add_ps(gx, gy), _mm256_add_ps(_mm256_add_ps(gz, gd), pad));
     const unsigned bits = 255u ^ (unsigned)_mm256_movemask_ps(_mm256_cmp_ps(_mm256_andnot_ps(sign, t), r, _CMP_GT_OQ));
     if (bits && out) {
+        /* Boxes of nothing have sizes below nothing: no weights, as exceptions may be trapped. */
+        const __m256 zero = _mm256_setzero_ps(), wx = _mm256_mul_ps(_mm256_max_ps(hx, zero), x);
+        const __m256 wy = _mm256_mul_ps(_mm256_max_ps(hy, zero), y), wz = _mm256_mul_ps(_mm256_max_ps(hz, zero), z);
+        const __m256 wd = _mm256_mul_ps(_mm256_max_ps(hd, zero), w);
         const __m256 largest =
             _mm256_max_ps(_mm256_max_ps(_mm256_max_ps(gx, gy), _mm256_max_ps(gz, gd)), _mm256_set1_ps(1e-20f));
         const __m256 one = _mm256_div_ps(_mm256_set1_ps(SIL_I_WEIGHT), largest);
         const __m256 unit = _mm256_mul_ps(one, _mm256_set1_ps(32767.0f)), slack = _mm256_set1_ps(SIL_I_SLACK);
-        sil_i_pairs_wide(_mm256_mul_ps(_mm256_mul_ps(hx, x), one), _mm256_mul_ps(_mm256_mul_ps(hy, y), one),
-                         out->weight[0]);
-        sil_i_pairs_wide(_mm256_mul_ps(_mm256_mul_ps(hz, z), one), _mm256_mul_ps(_mm256_mul_ps(hd, w), one),
-                         out->weight[1]);
+        sil_i_pairs_wide(_mm256_mul_ps(wx, one), _mm256_mul_ps(wy, one), out->weight[0]);
+        sil_i_pairs_wide(_mm256_mul_ps(wz, one), _mm256_mul_ps(wd, one), out->weight[1]);
         sil_i_clamp_wide(_mm256_add_ps(_mm256_mul_ps(_mm256_sub_ps(pad, t), unit), slack), out->above);
         sil_i_clamp_wide(_mm256_sub_ps(_mm256_mul_ps(_mm256_add_ps(pad, t), _mm256_xor_ps(sign, unit)), slack),
                          out->below);
@@ -4749,13 +4735,7 @@ SIL_I_INLINE void sil_i_batch_run(sil_i_batch *batch, int wide) {
     for (i = 0; i < batch->count; ++i) {
         const sil_i_head *head = batch->head[i];
         sil_i_mask front, unsure;
-        int doubt = 1;
-        if (head->loose) {
-            front[0] = front[1] = 0;
-            sil_i_all_places(head->places, unsure);
-        } else
-            doubt = sil_i_patch_signs(sil_i_patch_planes(head), head->places, batch->eye[i], front, unsure, wide);
-        if (doubt)
+        if (sil_i_patch_signs(sil_i_patch_planes(head), head->places, batch->eye[i], front, unsure, wide))
             sil_i_gather_signs(batch->signs, batch->patch[i], unsure, front);
         sil_i_batch_find(batch, head, front, wide);
     }
@@ -4792,9 +4772,12 @@ SIL_I_INLINE size_t sil_i_hunt_by(const sil_i_signs *signs, sil_i_edges_out *out
     while (top) {
         const unsigned below = level[--top] - 1u;
         const size_t at = stack[top];
+        const size_t left = h->count[below + 1] - at * SIL_I_LANES;
         const sil_i_cones *cones = &h->cones[h->first[below + 1] + at];
         sil_i_patch_eyes eyes;
         unsigned k, bits = sil_i_undecided(cones, &signs->eye, below ? NULL : &eyes, wide);
+        if (left < SIL_I_LANES) /* boxes of nothing, which an eye too far off for float planes does not leave out */
+            bits &= (1u << left) - 1;
         if (below)
             for (k = SIL_I_LANES; k-- > 0;) { /* the first on top of the stack */
                 stack[top] = (uint32_t)(at * SIL_I_LANES + k);
@@ -5305,12 +5288,16 @@ static int sil_i_corner_place(const sil_i_corners *corners, uint32_t vertex, dou
     for (k = 0; k < 4; ++k)
         out[k] = m[k] * (double)p[0] + m[4 + k] * (double)p[1] + m[8 + k] * (double)p[2] + m[12 + k];
     memcpy(place, out, 3 * sizeof *place);
+    if (corners->shape->bad[vertex])
+        return 0;
     if (!(corners->width > 0))
-        return !corners->shape->bad[vertex];
+        return 1;
+    if (!(out[3] > 0))
+        return 0;
     place[0] = 0.5 * corners->width * out[0] / out[3];
     place[1] = 0.5 * corners->height * out[1] / out[3];
     place[2] = 0;
-    return out[3] > 0 && !corners->shape->bad[vertex];
+    return 1;
 }
 
 /* The angle by which a line turns at p[1] on its way from p[0] to p[2]; 0 where it has no direction. Its tangent, not
@@ -5379,7 +5366,9 @@ SIL_DEF size_t sil_chain_corners(const sil_mesh *mesh, sil_pose *pose, const sil
         *vertices_needed = 0;
     if (!mesh || !edges || !edge_count || (pose && pose->mesh != mesh))
         return 0;
-    memory = edge_count < 0x40000000u ? sil_i_scratch(mesh, pose, sil_i_chain_size(edge_count)) : NULL;
+    memory = edge_count < 0x40000000u && edge_count < (size_t)-1 / 64
+                 ? sil_i_scratch(mesh, pose, sil_i_chain_size(edge_count))
+                 : NULL;
     if (!memory) {
         if (vertices_needed)
             *vertices_needed = (size_t)-1;
@@ -6038,6 +6027,8 @@ static sil_result sil_i_tree_room(sil_edge_tree *tree, size_t edge_count) {
     char *memory;
     if (tree->memory && edge_count <= tree->capacity)
         return SIL_OK;
+    if (edge_count > (size_t)-1 / 128)
+        return SIL_OUT_OF_MEMORY;
     leaves = edge_count / SIL_I_LANES + 1;
     lanes = leaves * SIL_I_LANES;
     boxes = leaves / 7 + SIL_I_LEVELS;
@@ -6552,11 +6543,11 @@ SIL_DEF size_t sil_edge_tree_order(const sil_edge_tree *tree, uint32_t *order, s
    and the other is nowhere the nearest. Only the square of the triangle's size is lost by this, where a test by the
    middle's distance and the radius loses the size itself: far from a dense outline that keeps a few edges instead of
    a stretch that grows with the root of the distance. */
-typedef struct sil_i_patch {
+typedef struct sil_i_facet {
     float middle[3], corner[3][3]; /* in the tree's frame */
     float margin;                  /* more than the rounding of a square, corners' and segments' coordinates included */
     float high[3];                 /* squares at the corners of the segment nearest to the middle, and the margin */
-} sil_i_patch;
+} sil_i_facet;
 
 #define SIL_I_SUITORS 64u /* candidates that are compared with each other */
 
@@ -6576,8 +6567,8 @@ static float sil_i_larger_float(float a, float b) {
 }
 
 /* The tangent planes at the middle, at the three corners, of eight segments. */
-static void sil_i_tangents(const sil_i_lanes *s, const sil_i_patch *patch, float low[3][SIL_I_LANES]) {
-    const float x = patch->middle[0], y = patch->middle[1], z = patch->middle[2];
+static void sil_i_tangents(const sil_i_lanes *s, const sil_i_facet *facet, float low[3][SIL_I_LANES]) {
+    const float x = facet->middle[0], y = facet->middle[1], z = facet->middle[2];
     size_t i;
     int k;
     for (i = 0; i < SIL_I_LANES; ++i) {
@@ -6588,26 +6579,26 @@ static void sil_i_tangents(const sil_i_lanes *s, const sil_i_patch *patch, float
         const float t = 1 - 0.5f * (rest + fabsf(rest)); /* within 0 and 1, without a branch: see sil_i_squares */
         const float fx = px + t * ex, fy = py + t * ey, fz = pz + t * ez;
         for (k = 0; k < 3; ++k) {
-            const float *c = patch->corner[k];
+            const float *c = facet->corner[k];
             low[k][i] = fx * (fx - 2 * (c[0] - x)) + fy * (fy - 2 * (c[1] - y)) + fz * (fz - 2 * (c[2] - z));
         }
     }
 }
 
 /* The same of one of eight boxes: its foot is the middle, moved into it. */
-static int sil_i_box_is_beaten(const sil_i_boxes *box, size_t i, const sil_i_patch *patch) {
+static int sil_i_box_is_beaten(const sil_i_boxes *box, size_t i, const sil_i_facet *facet) {
     float foot[3];
     int k;
     for (k = 0; k < 3; ++k) {
-        const float d = box->mid[k][i] - patch->middle[k], half = box->half[k][i];
+        const float d = box->mid[k][i] - facet->middle[k], half = box->half[k][i];
         foot[k] = d > half ? d - half : d < -half ? d + half : 0;
     }
     for (k = 0; k < 3; ++k) {
-        const float *c = patch->corner[k];
-        const float low = foot[0] * (foot[0] - 2 * (c[0] - patch->middle[0])) +
-                          foot[1] * (foot[1] - 2 * (c[1] - patch->middle[1])) +
-                          foot[2] * (foot[2] - 2 * (c[2] - patch->middle[2]));
-        if (!(low > patch->high[k]))
+        const float *c = facet->corner[k];
+        const float low = foot[0] * (foot[0] - 2 * (c[0] - facet->middle[0])) +
+                          foot[1] * (foot[1] - 2 * (c[1] - facet->middle[1])) +
+                          foot[2] * (foot[2] - 2 * (c[2] - facet->middle[2]));
+        if (!(low > facet->high[k]))
             return 0;
     }
     return 1;
@@ -6641,19 +6632,19 @@ static void sil_i_suitors_list(sil_i_suitors *s, sil_i_listing *list) {
 }
 
 /* The segments of a leaf that the one nearest to the middle does not beat. */
-static void sil_i_leaf_suitors(const sil_edge_tree *tree, const sil_i_patch *patch, uint32_t leaf, sil_i_suitors *s,
+static void sil_i_leaf_suitors(const sil_edge_tree *tree, const sil_i_facet *facet, uint32_t leaf, sil_i_suitors *s,
                                sil_i_listing *list) {
     float low[3][SIL_I_LANES], square[3][SIL_I_LANES];
     const size_t first = (size_t)leaf * SIL_I_LANES;
     size_t i;
     int k, any = 0;
-    sil_i_tangents(&tree->leaf[leaf], patch, low);
+    sil_i_tangents(&tree->leaf[leaf], facet, low);
     for (i = 0; i < SIL_I_LANES; ++i)
-        any |= !(low[0][i] > patch->high[0] && low[1][i] > patch->high[1] && low[2][i] > patch->high[2]);
+        any |= !(low[0][i] > facet->high[0] && low[1][i] > facet->high[1] && low[2][i] > facet->high[2]);
     for (k = 0; k < 3 && any; ++k)
-        sil_i_squares(&tree->leaf[leaf], patch->corner[k], square[k]);
+        sil_i_squares(&tree->leaf[leaf], facet->corner[k], square[k]);
     for (i = 0; i < SIL_I_LANES && any; ++i) {
-        if (low[0][i] > patch->high[0] && low[1][i] > patch->high[1] && low[2][i] > patch->high[2])
+        if (low[0][i] > facet->high[0] && low[1][i] > facet->high[1] && low[2][i] > facet->high[2])
             continue;
         if (i && tree->index[first + i] == tree->index[first + i - 1])
             break; /* the last leaf repeats its last segment */
@@ -6662,33 +6653,33 @@ static void sil_i_leaf_suitors(const sil_edge_tree *tree, const sil_i_patch *pat
         s->index[s->count] = tree->index[first + i];
         for (k = 0; k < 3; ++k) {
             s->low[s->count][k] = low[k][i];
-            s->high[s->count][k] = square[k][i] + patch->margin;
+            s->high[s->count][k] = square[k][i] + facet->margin;
         }
         ++s->count;
     }
 }
 
 /* *held: the place of a segment that is likely to be near; then that of the one nearest to the middle. */
-static void sil_i_patch_start(const sil_edge_tree *tree, sil_i_patch *patch, size_t *held) {
-    float square[3][SIL_I_LANES], farthest = sil_i_search(tree, patch->middle, held), extent = 1, radius = 0;
+static void sil_i_facet_start(const sil_edge_tree *tree, sil_i_facet *facet, size_t *held) {
+    float square[3][SIL_I_LANES], farthest = sil_i_search(tree, facet->middle, held), extent = 1, radius = 0;
     int k, i;
     for (k = 0; k < 3; ++k) {
         float reach = 0;
-        sil_i_squares(&tree->leaf[*held / SIL_I_LANES], patch->corner[k], square[k]);
+        sil_i_squares(&tree->leaf[*held / SIL_I_LANES], facet->corner[k], square[k]);
         farthest = sil_i_larger_float(farthest, square[k][*held % SIL_I_LANES]);
         for (i = 0; i < 3; ++i) {
-            const float d = patch->corner[k][i] - patch->middle[i];
-            extent = sil_i_larger_float(extent, fabsf(patch->corner[k][i]));
+            const float d = facet->corner[k][i] - facet->middle[i];
+            extent = sil_i_larger_float(extent, fabsf(facet->corner[k][i]));
             reach += d * d;
         }
         radius = sil_i_larger_float(radius, reach);
     }
-    patch->margin = 2e-6f * extent * (sqrtf(radius) + sqrtf(farthest)) + 1e-30f;
+    facet->margin = 2e-6f * extent * (sqrtf(radius) + sqrtf(farthest)) + 1e-30f;
     for (k = 0; k < 3; ++k)
-        patch->high[k] = square[k][*held % SIL_I_LANES] + patch->margin;
+        facet->high[k] = square[k][*held % SIL_I_LANES] + facet->margin;
 }
 
-static void sil_i_patch_list(const sil_edge_tree *tree, sil_i_patch *patch, sil_i_listing *list) {
+static void sil_i_facet_list(const sil_edge_tree *tree, sil_i_facet *facet, sil_i_listing *list) {
     sil_i_visit stack[(SIL_I_LANES - 1) * SIL_I_LEVELS + 1];
     sil_i_suitors suitors;
     size_t top = 1, i;
@@ -6698,12 +6689,12 @@ static void sil_i_patch_list(const sil_edge_tree *tree, sil_i_patch *patch, sil_
     while (top) {
         const sil_i_visit visit = stack[--top];
         if (!visit.level) {
-            sil_i_leaf_suitors(tree, patch, visit.at, &suitors, list);
+            sil_i_leaf_suitors(tree, facet, visit.at, &suitors, list);
             continue;
         }
         for (i = SIL_I_LANES; i--;) { /* the first child on top */
             const sil_i_boxes *box = &tree->box[tree->first[visit.level] + visit.at];
-            if (!(box->mid[0][i] < 1e17f) || sil_i_box_is_beaten(box, i, patch))
+            if (!(box->mid[0][i] < 1e17f) || sil_i_box_is_beaten(box, i, facet))
                 continue;
             stack[top].at = (uint32_t)(visit.at * SIL_I_LANES + i);
             stack[top++].level = visit.level - 1;
@@ -6713,8 +6704,8 @@ static void sil_i_patch_list(const sil_edge_tree *tree, sil_i_patch *patch, sil_
 }
 
 /* Takes a triangle's corners; 0 where one is missing. *everything: one is so far away that it was brought nearer. */
-static int sil_i_patch_take(const sil_edge_tree *tree, const char *positions, size_t stride, size_t vertex_count,
-                            const uint32_t *indices, size_t triangle, sil_i_patch *patch, int *everything) {
+static int sil_i_facet_take(const sil_edge_tree *tree, const char *positions, size_t stride, size_t vertex_count,
+                            const uint32_t *indices, size_t triangle, sil_i_facet *facet, int *everything) {
     int k, i;
     *everything = 0;
     for (k = 0; k < 3; ++k) {
@@ -6725,10 +6716,10 @@ static int sil_i_patch_take(const sil_edge_tree *tree, const char *positions, si
         memcpy(p, positions + vertex * stride, sizeof p);
         if (!sil_i_all_finite(p, 3))
             return 0;
-        *everything |= sil_i_point(&tree->frame, p, patch->corner[k]) > 1;
+        *everything |= sil_i_point(&tree->frame, p, facet->corner[k]) > 1;
     }
     for (i = 0; i < 3; ++i)
-        patch->middle[i] = (patch->corner[0][i] + patch->corner[1][i] + patch->corner[2][i]) * (1 / 3.0f);
+        facet->middle[i] = (facet->corner[0][i] + facet->corner[1][i] + facet->corner[2][i]) * (1 / 3.0f);
     return 1;
 }
 
@@ -6745,15 +6736,15 @@ SIL_DEF sil_result sil_candidates(const sil_edge_tree *tree, const float *positi
     list.count = *needed = 0;
     offsets[0] = 0;
     for (i = 0; i < triangle_count; ++i) {
-        sil_i_patch patch;
+        sil_i_facet facet;
         int everything, k;
         if (tree->levels &&
-            sil_i_patch_take(tree, (const char *)(const void *)positions, stride ? stride : 3 * sizeof(float),
-                             vertex_count, indices, i, &patch, &everything)) {
-            sil_i_patch_start(tree, &patch, &held);
+            sil_i_facet_take(tree, (const char *)(const void *)positions, stride ? stride : 3 * sizeof(float),
+                             vertex_count, indices, i, &facet, &everything)) {
+            sil_i_facet_start(tree, &facet, &held);
             for (k = 0; k < 3 && everything; ++k)
-                patch.high[k] = patch.margin = 3e38f;
-            sil_i_patch_list(tree, &patch, &list);
+                facet.high[k] = facet.margin = 3e38f;
+            sil_i_facet_list(tree, &facet, &list);
         }
         *needed = list.count;
         if (list.count >= SIL_NONE)

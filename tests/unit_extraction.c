@@ -1,6 +1,7 @@
 /* Every way in which sil_extract finds silhouettes (the hierarchy and the flat scan, by vectors and one by one, with a
    pose and without) against edges told one at a time by exact signs; the vector code against the plain; the tracker
    against differences of sets. unit_extraction_fast.c is the same under -ffast-math. */
+#include <fenv.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -11,7 +12,9 @@
 
 #include <cmocka.h>
 
-#define SIL_ASSERT(condition) assert_true(condition)
+/* Counted, since the exact sum has one for each product: that is how tests see when it is used. */
+static size_t assertions;
+#define SIL_ASSERT(condition) (++assertions, assert_true(condition))
 #define SILHOUETTE_IMPLEMENTATION
 #include "silhouette.h"
 
@@ -232,8 +235,10 @@ static void test_every_path_finds_the_exact_edges(void **state) {
             poses[i] = pose_of(meshes[i]);
         }
         lone += meshes[1]->patches->lone_count - meshes[1]->many_count;
-        for (i = 0; i < meshes[1]->patches->count; ++i)
-            loose += sil_i_patch_head(meshes[1]->patches, i)->loose;
+        for (i = 0; i < meshes[1]->face_count; ++i)
+            loose += !(fabsf(meshes[1]->rest.plane[0][i]) + fabsf(meshes[1]->rest.plane[1][i]) +
+                           fabsf(meshes[1]->rest.plane[2][i]) >
+                       0);
         for (number = 0; number < (which == 8 ? 24 : 120); ++number, ++views) {
             const sil_view view = view_number(&s, number);
             check_view(meshes, poses, &view, &lines, &looked);
@@ -246,7 +251,7 @@ static void test_every_path_finds_the_exact_edges(void **state) {
     }
     print_message(
         "%zu views, %zu silhouettes by each of %d ways, %zu patches looked at; %zu edges numbered by slivers, "
-        "%zu patches with a face without plane\n",
+        "%zu faces without plane\n",
         views, lines, PATHS, looked, lone, loose);
     assert_true(lines > 50000 && looked > 10000 && lone > 0 && loose > 0);
 }
@@ -275,6 +280,130 @@ static void test_the_hierarchy_leaves_out(void **state) {
     sil_pose_destroy(pose);
     sil_mesh_destroy(mesh);
     shape_free(&ball);
+    shape_free(&box);
+}
+
+/* Nine by nine quads with corners at multiples of `step`: patches, but not eight. Flat, or with bumps. */
+static sil_mesh *small_sheet(double step, double z, double bump) {
+    shape s = make_sheet(9, 9);
+    sil_mesh_desc desc;
+    sil_mesh *mesh;
+    size_t i;
+    for (i = 0; i < s.vertex_count; ++i) {
+        s.positions[3 * i] = (float)((double)(i % 10) * step);
+        s.positions[3 * i + 1] = (float)((double)(i / 10) * step);
+        s.positions[3 * i + 2] = (float)(z + bump * (double)(i * i % 7));
+    }
+    desc = desc_of(&s);
+    desc.flags = SIL_MESH_HIERARCHY;
+    mesh = mesh_from(&desc);
+    assert_in_range(mesh->patches->count % SIL_I_LANES, 1, SIL_I_LANES - 1);
+    shape_free(&s);
+    return mesh;
+}
+
+/* In the coordinates of planes an eye at 1e38 beside a mesh of 1e-29 has nothing left but rounding: all is undecided,
+   and boxes of nothing, which fill groups of eight up, must not be taken for patches (memory checkers notice). */
+static void test_an_eye_that_planes_cannot_tell(void **state) {
+    sil_mesh *mesh = small_sheet(1e-30, (double)1e38f, 0);
+    sil_pose *pose = pose_of(mesh);
+    const sil_view view = view_at(0, 0, (double)1e38f, 1), before = view_at(0, 0, 2 * (double)1e38f, 1);
+    (void)state;
+    for (mesh->wide = sil_i_has_wide(); mesh->wide >= 0; --mesh->wide) {
+        assert_int_equal(sil_extract(mesh, pose, &view, SIL_SILHOUETTE, NULL, 0), 0);
+        assert_in_range(pose->looked, 1, mesh->patches->count);
+        assert_int_equal(sil_extract(mesh, pose, &before, SIL_SILHOUETTE, NULL, 0), 0);
+    }
+    sil_pose_destroy(pose);
+    sil_mesh_destroy(mesh);
+}
+
+/* Programs may trap floating-point exceptions. Compilers other than gcc, and -ffast-math, make no promise. */
+static void test_no_exceptions_are_raised(void **state) {
+#if defined(__GNUC__) && !defined(__clang__) && !defined(__FAST_MATH__) && defined(FE_INVALID)
+    sil_mesh *mesh = small_sheet(1, 0, 0.1);
+    const sil_view view = view_at(3, 20, 0.5, 1);
+    (void)state;
+    feclearexcept(FE_ALL_EXCEPT);
+    for (mesh->wide = sil_i_has_wide(); mesh->wide >= 0; --mesh->wide)
+        assert_true(sil_extract(mesh, NULL, &view, SIL_SILHOUETTE, NULL, 0) > 0);
+    assert_int_equal(fetestexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW), 0);
+    sil_mesh_destroy(mesh);
+#else
+    (void)state;
+#endif
+}
+
+/* ---- faces that are plainly edge-on ---- */
+
+static size_t exact_products(const sil_mesh *mesh, const sil_view *view) {
+    const size_t before = assertions;
+    (void)sil_extract(mesh, NULL, view, SIL_SILHOUETTE, NULL, 0);
+    return assertions - before;
+}
+
+/* Views along the sides of a box: its faces are told by comparing coordinates, not by the exact sum. */
+static void test_edge_on_faces_need_no_exact_sum(void **state) {
+    const double corner[12] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+    shape box = make_box(6, 6, 6), tip = empty_shape();
+    sil_mesh_desc desc = desc_of(&box);
+    sil_mesh *mesh;
+    const sil_view views[5] = {view_at(0, 0, 1, 0), view_at(0, -1, 0, 0), view_at(6, 2.5, 9, 1), view_at(0, 0, 20, 1),
+                               view_at(2.25, 6, 6, 1)};
+    const sil_view oblique = view_at(2, 0, -1, 1); /* in the plane x + y + z = 1 */
+    size_t i;
+    (void)state;
+    desc.flags = SIL_MESH_NO_HIERARCHY;
+    mesh = mesh_from(&desc);
+    for (i = 0; i < 5; ++i)
+        assert_int_equal(exact_products(mesh, &views[i]), 0);
+    sil_mesh_destroy(mesh);
+    for (i = 0; i < 4; ++i)
+        add_vertex(&tip, corner[3 * i], corner[3 * i + 1], corner[3 * i + 2]);
+    add_face(&tip, 1, 2, 3);
+    mesh = mesh_of(&tip);
+    assert_true(exact_products(mesh, &oblique) > 0); /* they would be noticed */
+    sil_mesh_destroy(mesh);
+    shape_free(&box);
+    shape_free(&tip);
+}
+
+/* For directions along axes the flags of a face are enough: neither corners nor planes are fetched. So they are changed
+   behind its back, to ones that would be in front. */
+static void test_flags_tell_edge_on_faces(void **state) {
+    shape box = make_box(4, 4, 4);
+    sil_mesh *mesh = mesh_of(&box);
+    const sil_view along = view_at(0, 0, 1, 0);
+    sil_i_signs signs;
+    size_t f, edge_on = 0;
+    int k;
+    (void)state;
+    memset(&signs, 0, sizeof signs);
+    signs.mesh = mesh;
+    signs.shape = &mesh->rest;
+    sil_i_eye_make(&signs.eye, &along, &mesh->rest);
+    for (f = 0; f < mesh->unique_count; ++f)
+        for (k = 0; k < 2; ++k) {
+            float *x = &mesh->rest.position[3 * f + (size_t)k];
+            *x = 2 + (*x - 2) * (1 - 0.1f * mesh->rest.position[3 * f + 2]);
+        }
+    for (f = 0; f < mesh->face_count; ++f) {
+        const unsigned char flags = mesh->face_flags[f];
+        const sil_i_mask which = {(uint64_t)1 << f % SIL_I_PATCH, 0};
+        sil_i_mask front = {0, 0};
+        (void)sil_i_face_plane(mesh, &mesh->rest, f);
+        if (mesh->rest.plane[2][f] < 0.01f || mesh->rest.plane[2][f] > 0.99f)
+            continue;
+        assert_int_equal(sil_i_front_unsure(mesh, &mesh->rest, &signs.eye, (uint32_t)f), 0);
+        sil_i_gather_signs(&signs, f / SIL_I_PATCH, which, front);
+        assert_true(front[0] == 0);
+        mesh->face_flags[f] = 0;
+        assert_int_equal(sil_i_front_unsure(mesh, &mesh->rest, &signs.eye, (uint32_t)f), 1);
+        mesh->face_flags[f] = flags;
+        ++edge_on;
+    }
+    assert_int_equal(edge_on, 4 * 32);
+    sil_mesh_destroy(mesh);
     shape_free(&box);
 }
 
@@ -461,9 +590,15 @@ static void test_tracker_memory_and_misuse(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_every_path_finds_the_exact_edges),    cmocka_unit_test(test_the_hierarchy_leaves_out),
-        cmocka_unit_test(test_vectors_give_the_bits_of_plain_code), cmocka_unit_test(test_tracker),
+        cmocka_unit_test(test_every_path_finds_the_exact_edges),
+        cmocka_unit_test(test_the_hierarchy_leaves_out),
+        cmocka_unit_test(test_vectors_give_the_bits_of_plain_code),
+        cmocka_unit_test(test_tracker),
         cmocka_unit_test(test_tracker_memory_and_misuse),
+        cmocka_unit_test(test_an_eye_that_planes_cannot_tell),
+        cmocka_unit_test(test_no_exceptions_are_raised),
+        cmocka_unit_test(test_edge_on_faces_need_no_exact_sum),
+        cmocka_unit_test(test_flags_tell_edge_on_faces),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -14,7 +14,7 @@
 
 #include "shapes.h"
 
-enum { THREADS = 8, VIEWS = 24, ROOM = 12000 };
+enum { THREADS = 8, VIEWS = 24, ROOM = 12000, TRIANGLES = 100 };
 
 /* What is shared, and only read. */
 typedef struct shared {
@@ -40,8 +40,9 @@ static uint64_t mix(uint64_t sum, const void *bytes, size_t size) {
 typedef struct workspace {
     sil_edge edges[ROOM];
     sil_strip strips[ROOM];
-    uint32_t vertices[2 * ROOM], nearest[ROOM], parents[3];
-    float distances[ROOM];
+    uint32_t vertices[2 * ROOM], nearest[ROOM], parents[3], offsets[TRIANGLES + 1], candidates[8 * ROOM];
+    float distances[ROOM], along[2 * ROOM];
+    sil_smooth_point points[ROOM];
     sil_ribbon_vertex ribbons[ROOM];
 } workspace;
 
@@ -60,13 +61,47 @@ static void set_matrices(sil_ribbon_desc *desc) {
     desc->viewport_height = 480;
 }
 
+/* Smooth silhouettes and dashes along them, which remember the view before; 0 where one fails. */
+static uint64_t run_lines(const shared *s, sil_pose *pose, sil_dashes *dashes, workspace *w, int v) {
+    static const float pattern[2] = {6, 4};
+    const sil_view view = view_of(v);
+    const unsigned flags = v % 2 ? SIL_SMOOTH_HERMITE : 0;
+    uint64_t sum = 14695981039346656037u;
+    size_t strips, needed;
+    sil_ribbon_desc ribbons;
+    strips = sil_smooth(s->mesh, pose, &view, NULL, 0, flags, w->points, ROOM, w->strips, ROOM, &needed);
+    if (!strips || strips > ROOM || needed > ROOM)
+        return 0;
+    sum = mix(mix(sum, w->strips, strips * sizeof *w->strips), w->points, needed * sizeof *w->points);
+    set_matrices(&ribbons);
+    ribbons.points = w->points[0].position;
+    ribbons.point_stride = sizeof *w->points;
+    ribbons.point_count = needed;
+    ribbons.dashes = pattern;
+    ribbons.dash_count = 2;
+    if (sil_dashes_follow(dashes, s->mesh, pose, w->strips, strips, NULL, &ribbons, w->along) != SIL_OK)
+        return 0;
+    return mix(sum, w->along, needed * sizeof *w->along);
+}
+
+/* Candidates of triangles from the tree that all threads share, each view with triangles of its own. */
+static uint64_t run_candidates(const shared *s, workspace *w, int v) {
+    size_t needed;
+    if (sil_candidates(s->tree, s->shape->positions, 0, s->shape->vertex_count,
+                       s->shape->indices + 3 * (size_t)(v % 16) * TRIANGLES, TRIANGLES, w->offsets, w->candidates,
+                       8 * ROOM, &needed) != SIL_OK ||
+        needed < TRIANGLES || needed > 8 * ROOM)
+        return 0;
+    return mix(mix(14695981039346656037u, w->offsets, sizeof w->offsets), w->candidates, needed * sizeof(uint32_t));
+}
+
 /* Everything that one thread may do with the mesh, for one view. pose may be NULL. */
-static uint64_t run_view(const shared *s, sil_pose *pose, workspace *w, int v) {
+static uint64_t run_view(const shared *s, sil_pose *pose, sil_dashes *dashes, workspace *w, int v) {
     const sil_view view = view_of(v);
     const size_t vertices = s->shape->vertex_count, half = vertices / 2;
     sil_ribbon_desc ribbons;
     sil_part parts[3];
-    uint64_t sum = 14695981039346656037u;
+    uint64_t sum = 14695981039346656037u, more[2];
     size_t count, strips, needed, made;
     if (pose) {
         if (sil_pose_set(pose, v % 3 ? NULL : s->posed, 0) != SIL_OK ||
@@ -101,7 +136,11 @@ static uint64_t run_view(const shared *s, sil_pose *pose, workspace *w, int v) {
         sum = mix(sum, w->parents, sizeof w->parents);
         sum = mix(sum, w->nearest, sizeof w->nearest);
     }
-    return mix(sum, &needed, sizeof needed);
+    more[0] = run_lines(s, pose, dashes, w, v);
+    more[1] = run_candidates(s, w, v);
+    if (!more[0] || !more[1])
+        return 0;
+    return mix(mix(sum, more, sizeof more), &needed, sizeof needed);
 }
 
 typedef struct thread_work {
@@ -114,12 +153,14 @@ static void *run_thread(void *user) {
     thread_work *t = (thread_work *)user;
     workspace *w = (workspace *)calloc(1, sizeof *w);
     sil_pose *pose = t->has_pose ? sil_pose_create(t->s->mesh, NULL) : NULL;
+    sil_dashes *dashes = sil_dashes_create(NULL, NULL);
     int v;
-    t->ok = w && (pose || !t->has_pose);
+    t->ok = w && dashes && (pose || !t->has_pose);
     for (v = 0; v < VIEWS && t->ok; ++v) {
-        t->out.sum[v] = run_view(t->s, pose, w, v);
+        t->out.sum[v] = run_view(t->s, pose, dashes, w, v);
         t->ok = t->out.sum[v] != 0;
     }
+    sil_dashes_destroy(dashes);
     sil_pose_destroy(pose);
     free(w);
     return NULL;
