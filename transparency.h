@@ -4187,7 +4187,7 @@ static void tr_i_eye_depth(const float p[16], int zero_to_one, float out[4]) {
     out[3] = (float)(scale * (double)p[11]);
 }
 
-static void tr_i_fill_block(const tr_frame *frame, int zero_to_one, tr_i_block *block) {
+static void tr_i_fill_block(const tr_frame *frame, int zero_to_one, int supersample, tr_i_block *block) {
     static const float light[3] = {-0.45f, 0.65f, 0.62f};
     static const float cool[4] = {0.10f, 0.14f, 0.30f, 0.45f}, warm[4] = {0.22f, 0.19f, 0.08f, 0.80f};
     static const float zero[4] = {0, 0, 0, 0};
@@ -4210,7 +4210,7 @@ static void tr_i_fill_block(const tr_frame *frame, int zero_to_one, tr_i_block *
     memcpy(block->shift, frame->jitter, sizeof frame->jitter);
     block->enter[0] = tr_i_weight(frame->enter_strength, 0.5f);
     block->enter[1] = frame->enter_distance;
-    block->enter[2] = frame->enter_line > 0.0f ? frame->enter_line : 0.0f;
+    block->enter[2] = frame->enter_line > 0.0f ? frame->enter_line * (float)supersample : 0.0f; /* in our texels */
     block->viewport[0] = (float)frame->x;
     block->viewport[1] = (float)frame->y;
     block->viewport[2] = (float)frame->width;
@@ -4332,7 +4332,7 @@ static void tr_i_suit_target(tr_context *tr, int multisampled) {
 TR_I_API tr_result tr_begin(tr_context *tr, const tr_frame *frame) {
     tr_i_block block;
     tr_result result;
-    int work = 1, multisampled = 0, none;
+    int work, multisampled = 0, none;
     if (!tr || !frame)
         return TR_INVALID_ARGUMENT;
     if (tr->in_frame)
@@ -4353,16 +4353,17 @@ TR_I_API tr_result tr_begin(tr_context *tr, const tr_frame *frame) {
     tr->frame = *frame;
     tr->next_pass = 0;
     if (tr->plan.pass_count > 0) {
-        tr_i_fill_block(frame, tr->desc.zero_to_one, &block);
         none = tr->desc.state == TR_STATE_NONE;
-        if (none)
-            work = tr_i_needs_work(tr, &block);
-        if (work || !none)
+        if (!none) {
             tr_i_save(tr, &tr->saved);
-        if (!none)
             result = tr_i_check_target(tr, &multisampled);
-        tr_i_suit_target(tr, multisampled);
-        if (result == TR_OK && tr_i_needs_work(tr, &block))
+            tr_i_suit_target(tr, multisampled);
+        }
+        tr_i_fill_block(frame, tr->desc.zero_to_one, tr->plan.supersample, &block);
+        work = tr_i_needs_work(tr, &block);
+        if (work && none)
+            tr_i_save(tr, &tr->saved);
+        if (work && result == TR_OK)
             result = tr_i_work(tr, &block);
         if (result != TR_OK || (work && none))
             tr_i_restore(tr, &tr->saved);
