@@ -3299,29 +3299,53 @@ TR_I_API tr_context *tr_create(const tr_desc *desc, tr_result *result) {
     return tr;
 }
 
+/* Hosts that apply state themselves, and TR_STATE_LEAVE_DIRTY, leave ours bound. What is deleted is bound nowhere, and must
+   not be bound again when the snapshot is put back: core GL would call that an error, and ES make a new texture. */
+static void tr_i_forget(int32_t *saved, tr_i_u name) {
+    if ((tr_i_u)*saved == name)
+        *saved = 0;
+}
+
+static void tr_i_delete_textures(tr_context *tr, int count, tr_i_u *names) {
+    int i, unit;
+    for (i = 0; i < count; ++i) {
+        for (unit = 0; unit < TR_TEXTURE_UNITS; ++unit)
+            tr_i_forget(&tr->saved.textures[unit], names[i]);
+        for (unit = 0; unit < TR_I_EDGE_TEXTURE_COUNT; ++unit)
+            tr_i_forget(&tr->saved.edge_textures[unit], names[i]);
+    }
+    tr->gl.DeleteTextures(count, names);
+    memset(names, 0, (size_t)count * sizeof names[0]);
+}
+
+static void tr_i_delete_framebuffers(tr_context *tr, int count, tr_i_u *names) {
+    int i;
+    for (i = 0; i < count; ++i) {
+        tr_i_forget(&tr->saved.draw_framebuffer, names[i]);
+        tr_i_forget(&tr->saved.read_framebuffer, names[i]);
+    }
+    tr->gl.DeleteFramebuffers(count, names);
+    memset(names, 0, (size_t)count * sizeof names[0]);
+}
+
 static void tr_i_drop_textures(tr_context *tr) {
     tr_i_u crossings = tr->textures[TR_I_CROSSINGS];
     tr->textures[TR_I_CROSSINGS] = 0;
-    tr->gl.DeleteFramebuffers(TR_I_FBO_COUNT, tr->fbos);
-    tr->gl.DeleteTextures(TR_I_TEXTURE_COUNT, tr->textures);
-    memset(tr->fbos, 0, sizeof tr->fbos);
-    memset(tr->textures, 0, sizeof tr->textures);
+    tr_i_delete_framebuffers(tr, TR_I_FBO_COUNT, tr->fbos);
+    tr_i_delete_textures(tr, TR_I_TEXTURE_COUNT, tr->textures);
     tr->textures[TR_I_CROSSINGS] = crossings; /* the host's data, of no frame's size */
     tr->width = tr->height = 0;
 }
 
 static void tr_i_drop_outlines(tr_context *tr) {
-    tr->gl.DeleteFramebuffers(2, tr->outline_fbos);
-    tr->gl.DeleteTextures(2, tr->outline_textures);
-    memset(tr->outline_fbos, 0, sizeof tr->outline_fbos);
-    memset(tr->outline_textures, 0, sizeof tr->outline_textures);
+    tr_i_delete_framebuffers(tr, 2, tr->outline_fbos);
+    tr_i_delete_textures(tr, 2, tr->outline_textures);
     tr->outline_width = tr->outline_height = 0;
     tr->outline_pixel = 0;
 }
 
 static void tr_i_drop_edges(tr_context *tr) {
-    tr->gl.DeleteTextures(TR_I_EDGE_TEXTURE_COUNT, tr->edge_textures);
-    memset(tr->edge_textures, 0, sizeof tr->edge_textures);
+    tr_i_delete_textures(tr, TR_I_EDGE_TEXTURE_COUNT, tr->edge_textures);
     memset(tr->edge_rows, 0, sizeof tr->edge_rows);
 }
 
@@ -4717,7 +4741,6 @@ static void tr_i_flood(tr_context *tr, const tr_outlines *image, int program) {
 
 TR_I_API tr_result tr_find_outlines(tr_context *tr, const tr_outlines *image) {
     int program = TR_I_PROGRAM_OUTLINE + (image && image->id_texture ? 2 : 0);
-    tr_i_snapshot saved;
     tr_result result;
     if (!tr || !image)
         return TR_INVALID_ARGUMENT;
@@ -4726,7 +4749,7 @@ TR_I_API tr_result tr_find_outlines(tr_context *tr, const tr_outlines *image) {
     result = tr_i_check_outlines(tr, image);
     if (result != TR_OK)
         return result;
-    tr_i_save(tr, &saved);
+    tr_i_save(tr, &tr->saved);
     if (!tr->vertex_array)
         tr->gl.GenVertexArrays(1, &tr->vertex_array);
     result = tr_i_fit_outlines(tr, image->width, image->height);
@@ -4738,7 +4761,7 @@ TR_I_API tr_result tr_find_outlines(tr_context *tr, const tr_outlines *image) {
         tr_i_flood(tr, image, program);
         tr->outline_pixel = (float)fabs(2.0 / ((double)image->projection[5] * (double)image->height));
     }
-    tr_i_restore(tr, &saved);
+    tr_i_restore(tr, &tr->saved);
     return result;
 }
 
