@@ -103,10 +103,12 @@
    ERRORS, MEMORY, THREADS
    Every function that can fail returns a tr_result and logs through desc.log_fn. A failed tr_begin leaves the state as
    found and nothing allocated that tr_destroy would not free; the next frame may be tried. One heap block a context.
-   tr_set_edges and tr_find_outlines make textures of their own when sizes change, and hold them until tr_release.
+   tr_set_edges and tr_find_outlines make textures of their own when sizes change, and hold them until tr_release;
+   tr_set_crossings until tr_destroy.
    Textures are created when a plan first needs them or the size changes (never in a steady frame): 24 bytes a pixel with
    lines and one layer, 8 or 12 more for each further layer, see tr_plan.bytes_per_pixel and docs/transparency.md. Programs
-   are compiled when a plan first needs them. tr_crossings allocates while it runs. One context of ours for one GL context, used from the thread that has it current.
+   are compiled when a plan first needs them. tr_crossings allocates by TR_MALLOC while it runs. One context of ours for
+   one GL context, used from the thread that has it current.
 
    RECIPES
    - Your own shaders: prepend the strings of tr_glsl() to a vertex and a fragment shader (which then begins without
@@ -549,7 +551,9 @@ typedef struct tr_mesh {
    touch or lie in one plane. Ends are rounded to float. Time grows with the triangles whose extents along x overlap. */
 TR_DEF size_t tr_crossings(const tr_mesh *mesh, const tr_mesh *others, size_t other_count, float *segments,
                            size_t capacity);
-/* For TR_WISH_ENTERING; outside of a frame; count may be 0. The segments are copied, and GL state is left as it was. */
+/* For TR_WISH_ENTERING; outside of a frame; count may be 0. The segments are copied, and GL state is left as found. No
+   texture is made anew while their number changes by less than a quarter. TR_TOO_LARGE: more than 512 *
+   GL_MAX_TEXTURE_SIZE of them. */
 TR_DEF tr_result tr_set_crossings(tr_context *tr, const float *segments, size_t count);
 
 /* For surface passes drawn with the built-in program; call it after tr_next_pass, before the draw call. */
@@ -575,7 +579,8 @@ typedef struct tr_info {
     const tr_plan *plan; /* of the last tr_begin */
 } tr_info;
 TR_DEF tr_info tr_get_info(const tr_context *tr);
-/* Gives the textures back, e.g. when illustrations pause; the next frame makes them anew. */
+/* Gives the textures back, e.g. when illustrations pause; the next frame makes them anew. Edges and outlines have to be
+   given anew before it; crossings stay. TR_WRONG_ORDER: inside of a frame. */
 TR_DEF tr_result tr_release(tr_context *tr);
 
 TR_DEF const char *tr_result_string(tr_result result);
@@ -1050,9 +1055,11 @@ static const char *const tr_i_shader_crossings_glsl[] = {
     "highp float tr_crossing_distance(highp vec3 point, highp ivec2 range)\n"
     "{\n"
     "    highp float least = tr_enter.y * tr_enter.y;\n"
-    "    for (int i = 0; i < range.y; ++i) {\n"
-    "        highp vec3 a = tr_crossing_end(2 * (range.x + i));\n"
-    "        highp vec3 along = tr_crossing_end(2 * (range.x + i) + 1) - a, from = point - a;\n"
+    "    // A range of more than there is ends where the texture does.\n"
+    "    int end = min(range.x + range.y, 512 * textureSize(tr_crossings, 0).y);\n"
+    "    for (int i = max(range.x, 0); i < end; ++i) {\n"
+    "        highp vec3 a = tr_crossing_end(2 * i);\n"
+    "        highp vec3 along = tr_crossing_end(2 * i + 1) - a, from = point - a;\n"
     "        highp float square = dot(along, along);\n"
     "        highp float t = square > 0.0 ? clamp(dot(from, along) / square, 0.0, 1.0) : 0.0;\n"
     "        highp vec3 away = from - t * along;\n"
@@ -3624,43 +3631,53 @@ static void tr_i_pixel_storage(const tr_context *tr, int32_t saved[8], int resto
     }
 }
 
-/* Ends of segments as texels, filled up to whole rows. */
-static float *tr_i_crossing_texels(const tr_context *tr, const float *segments, size_t count, size_t rows) {
-    float *texels = (float *)tr->desc.alloc_fn(rows * TR_I_CROSSING_ROW * 4 * sizeof *texels, tr->desc.alloc_user);
-    size_t i;
-    if (!texels)
-        return 0;
-    memset(texels, 0, rows * TR_I_CROSSING_ROW * 4 * sizeof *texels);
-    for (i = 0; i < 2 * count; ++i)
-        memcpy(texels + 4 * i, segments + 3 * i, 3 * sizeof *texels);
-    return texels;
+/* Ends of segments as texels, a row at a time. */
+static void tr_i_upload_crossings(const tr_context *tr, const float *segments, size_t ends) {
+    float texels[TR_I_CROSSING_ROW][4];
+    size_t first, i;
+    memset(texels, 0, sizeof texels);
+    for (first = 0; first < ends; first += TR_I_CROSSING_ROW) {
+        size_t wide = ends - first < TR_I_CROSSING_ROW ? ends - first : TR_I_CROSSING_ROW;
+        for (i = 0; i < wide; ++i)
+            memcpy(texels[i], segments + 3 * (first + i), 3 * sizeof(float));
+        tr->gl.TexSubImage2D(TR_I_GL_TEXTURE_2D, 0, 0, (int32_t)(first / TR_I_CROSSING_ROW), (int32_t)wide, 1,
+                             TR_I_GL_RGBA, TR_I_GL_FLOAT, texels);
+    }
+}
+
+/* Room for so many rows: a quarter more when it grows, given back when three quarters are not used. */
+static void tr_i_fit_crossings(tr_context *tr, size_t rows) {
+    size_t held = (size_t)tr->slices[TR_I_CROSSINGS], most = (size_t)tr->max_texture;
+    int made = tr->textures[TR_I_CROSSINGS] != 0;
+    if (!made)
+        tr->gl.GenTextures(1, &tr->textures[TR_I_CROSSINGS]);
+    tr->gl.BindTexture(TR_I_GL_TEXTURE_2D, tr->textures[TR_I_CROSSINGS]);
+    if (made && rows <= held && (rows + 1) * 4 >= held)
+        return;
+    rows = rows + rows / 4 < most ? rows + rows / 4 : most;
+    tr->gl.TexImage2D(TR_I_GL_TEXTURE_2D, 0, (int32_t)TR_I_GL_RGBA32F, TR_I_CROSSING_ROW, (int32_t)rows, 0,
+                      TR_I_GL_RGBA, TR_I_GL_FLOAT, 0);
+    tr->gl.TexParameteri(TR_I_GL_TEXTURE_2D, TR_I_GL_TEXTURE_MIN_FILTER, TR_I_GL_NEAREST);
+    tr->gl.TexParameteri(TR_I_GL_TEXTURE_2D, TR_I_GL_TEXTURE_MAG_FILTER, TR_I_GL_NEAREST);
+    tr->slices[TR_I_CROSSINGS] = (int)rows;
 }
 
 TR_I_API tr_result tr_set_crossings(tr_context *tr, const float *segments, size_t count) {
-    size_t rows = (2 * count + TR_I_CROSSING_ROW - 1) / TR_I_CROSSING_ROW;
+    size_t rows;
     int32_t saved[8];
-    float *texels;
-    if (!tr || (!segments && count))
+    if (!tr)
         return TR_INVALID_ARGUMENT;
+    if (!segments && count)
+        return tr_i_fail(&tr->desc, TR_INVALID_ARGUMENT, "tr_set_crossings: segments");
     if (tr->in_frame)
         return tr_i_fail(&tr->desc, TR_WRONG_ORDER, "tr_set_crossings");
-    if (count > (size_t)1 << 30 || rows > (size_t)tr->max_texture)
+    if (count > (size_t)tr->max_texture * (TR_I_CROSSING_ROW / 2))
         return tr_i_fail(&tr->desc, TR_TOO_LARGE, "tr_set_crossings");
-    rows = rows ? rows : 1;
-    texels = tr_i_crossing_texels(tr, segments, count, rows);
-    if (!texels)
-        return tr_i_fail(&tr->desc, TR_OUT_OF_MEMORY, "tr_set_crossings");
+    rows = (2 * count + TR_I_CROSSING_ROW - 1) / TR_I_CROSSING_ROW;
     tr_i_pixel_storage(tr, saved, 0);
-    if (!tr->textures[TR_I_CROSSINGS])
-        tr->gl.GenTextures(1, &tr->textures[TR_I_CROSSINGS]);
-    tr->gl.BindTexture(TR_I_GL_TEXTURE_2D, tr->textures[TR_I_CROSSINGS]);
-    tr->gl.TexImage2D(TR_I_GL_TEXTURE_2D, 0, (int32_t)TR_I_GL_RGBA32F, TR_I_CROSSING_ROW, (int32_t)rows, 0,
-                      TR_I_GL_RGBA, TR_I_GL_FLOAT, texels);
-    tr->gl.TexParameteri(TR_I_GL_TEXTURE_2D, TR_I_GL_TEXTURE_MIN_FILTER, TR_I_GL_NEAREST);
-    tr->gl.TexParameteri(TR_I_GL_TEXTURE_2D, TR_I_GL_TEXTURE_MAG_FILTER, TR_I_GL_NEAREST);
+    tr_i_fit_crossings(tr, rows ? rows : 1);
+    tr_i_upload_crossings(tr, segments, 2 * count);
     tr_i_pixel_storage(tr, saved, 1);
-    tr->slices[TR_I_CROSSINGS] = (int)rows;
-    tr->desc.free_fn(texels, tr->desc.alloc_user);
     return TR_OK;
 }
 
