@@ -1,4 +1,4 @@
-/* transparency.h - v0.1.0 - illustrators' transparency for OpenGL 3.3, OpenGL ES 3.0 and WebGL 2 - MIT licence, at the end
+/* transparency.h - v0.2.0 - illustrators' transparency for OpenGL 3.3, OpenGL ES 3.0 and WebGL 2 - MIT licence, at the end
 
    DOES
    - draws technical illustrations in which opaque things show through the transparent objects that enclose them, after
@@ -91,7 +91,7 @@
    - TR_STATE_NONE            no state call is made between tr_begin and tr_end: pass.state holds what the host must
                               set, clear and bind, and passes with vertex_count > 0 are drawn by the host as well
    Not touched, and expected to be at rest: conditional rendering, transform feedback, clip control's origin, sample
-   shading. Clip distances are switched off in each pass; a host whose shaders write them switches them on again after
+   shading, smooth polygons, what only compatibility contexts have. Clip distances are switched off in each pass; a host whose shaders write them switches them on again after
    tr_next_pass. Under TR_STATE_NONE, tr_begin may still bind and restore when something is created or changed, and does
    not look at the target: that it is complete is the host's to see to, and wishes.supersample. tr_state then lists what
    differs from pass to pass; all else is to be as in a fresh context, dither off.
@@ -177,7 +177,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#define TR_VERSION 100 /* major * 10000 + minor * 100 + patch */
+#define TR_VERSION 200 /* major * 10000 + minor * 100 + patch */
 
 #ifndef TR_STATIC
 #define TR_DEF extern
@@ -200,8 +200,8 @@ extern "C" {
     X(TR_GL_FUNCTION_MISSING, "a GL function that is needed was not found")                                            \
     X(TR_SHADER_FAILED, "a shader did not compile or link")                                                            \
     X(TR_TARGET_INCOMPLETE, "a framebuffer is not complete (no memory for its textures, or the target is not)")        \
-    X(TR_TOO_LARGE, "the viewport is larger than the context's textures can be")                                       \
-    X(TR_WRONG_ORDER, "tr_begin or tr_release inside of a frame, or tr_end outside")
+    X(TR_TOO_LARGE, "the viewport or an array is larger than the context's textures can be")                           \
+    X(TR_WRONG_ORDER, "inside of a frame what belongs outside of it, or tr_end outside")
 
 typedef enum tr_result {
 #define TR_I_ENUM(name, text) name,
@@ -1861,7 +1861,7 @@ enum {
     TR_I_OPAQUE_COLOR, /* alpha 1 where an opaque thing is */
     TR_I_LAYER_COLOR,  /* of all layers */
     TR_I_MARK,         /* group, and method in the highest bit, of the front-most transparent object */
-    TR_I_CROSSINGS,    /* segments, two texels each; not of the frame\'s size */
+    TR_I_CROSSINGS,    /* segments, two texels each; not of the frame's size */
     TR_I_DEPTH_COPY,   /* of SCENE_DEPTH without lines */
     TR_I_TEXTURE_COUNT
 };
@@ -2781,8 +2781,9 @@ static void tr_i_apply(const tr_context *tr, const tr_state *state) {
     tr_i_bind_textures(tr, state);
     if (tr->frame.wishes.options & TR_WISH_SRGB && !tr->es)
         tr_i_switch(tr, TR_I_GL_FRAMEBUFFER_SRGB, state->srgb);
-    gl->BindBufferRange(TR_I_GL_UNIFORM_BUFFER, (tr_i_u)state->uniform_binding, state->uniform_buffer,
-                        state->uniform_offset, state->uniform_size);
+    if (state->uniform_buffer) /* those that find outlines read none, and a range of no size is an error to GL 3.3 */
+        gl->BindBufferRange(TR_I_GL_UNIFORM_BUFFER, (tr_i_u)state->uniform_binding, state->uniform_buffer,
+                            state->uniform_offset, state->uniform_size);
 }
 
 /* ---- shaders and programs --------------------------------------------------------------------------------------- */
@@ -3082,8 +3083,10 @@ TR_I_API const char *const *tr_alpha_glsl(const tr_context *tr, tr_stage stage, 
 
 TR_I_API tr_result tr_prepare_program(tr_context *tr, uint32_t program) {
     int32_t current = 0, linked = 0;
-    if (!tr || !tr->gl.IsProgram(program))
+    if (!tr)
         return TR_INVALID_ARGUMENT;
+    if (!tr->gl.IsProgram(program))
+        return tr_i_fail(&tr->desc, TR_INVALID_ARGUMENT, "tr_prepare_program: no program has that name");
     tr->gl.GetProgramiv(program, TR_I_GL_LINK_STATUS, &linked);
     if (!linked)
         return tr_i_fail(&tr->desc, TR_INVALID_ARGUMENT, "tr_prepare_program: the program is not linked");
@@ -4618,6 +4621,8 @@ TR_I_API int tr_pass_draws(const tr_pass *pass, const tr_object *object) {
 }
 
 TR_I_API void tr_outline_uniform(const tr_context *tr, float uniform[3]) {
+    if (!tr || !uniform)
+        return;
     uniform[0] = tr->outline_pixel;
     uniform[1] = tr->width > 0 ? (float)tr->outline_width / (float)tr->width : 0;
     uniform[2] = tr->height > 0 ? (float)tr->outline_height / (float)tr->height : 0;
