@@ -546,9 +546,10 @@ typedef struct tr_mesh {
 } tr_mesh;
 
 /* Pure CPU: where the surface of a mesh crosses those of others, as segments of six floats in the common space. Writes at
-   most capacity segments; returns how many there are, SIZE_MAX without memory or for bad arguments. Each pair of triangles
-   that cross gives one; triangles with an index out of range or a number that is not finite give none, nor do such as
-   touch or lie in one plane. Ends are rounded to float. Time grows with the triangles whose extents along x overlap. */
+   most capacity segments; returns how many there are, SIZE_MAX without memory or for bad arguments, such as a model that
+   is not finite. Each pair of triangles that cross gives one; triangles with an index out of range or a number that is
+   not finite give none, nor do such as touch or lie in one plane. Ends are rounded to float. Time grows with the
+   triangles whose extents along x overlap. */
 TR_DEF size_t tr_crossings(const tr_mesh *mesh, const tr_mesh *others, size_t other_count, float *segments,
                            size_t capacity);
 /* For TR_WISH_ENTERING; outside of a frame; count may be 0. The segments are copied, and GL state is left as found. No
@@ -3571,7 +3572,7 @@ static size_t tr_i_first_reaching(const tr_i_extent *extents, size_t count, doub
 }
 
 static int tr_i_mesh_is_valid(const tr_mesh *mesh) {
-    return (mesh->positions && mesh->indices) || mesh->index_count < 3;
+    return ((mesh->positions && mesh->indices) || mesh->index_count < 3) && tr_i_all_finite(mesh->model, 16);
 }
 
 TR_I_API size_t tr_crossings(const tr_mesh *mesh, const tr_mesh *others, size_t other_count, float *segments,
@@ -4192,10 +4193,22 @@ static int tr_i_program_of(const tr_context *tr, const tr_plan_pass *pass) {
     return -1;
 }
 
-/* A free place for a variant, or that of the one made longest ago. */
+static int tr_i_plan_needs(const tr_context *tr, uint32_t key) {
+    int i;
+    for (i = 0; i < tr->plan.pass_count; ++i)
+        if (tr_i_pass_key(tr, &tr->plan.passes[i]) == key)
+            return 1;
+    return 0;
+}
+
+/* A free place for a variant, or that of the one made longest ago that this plan can do without: there is one, since there
+   are more places than a plan has variants. */
 static int tr_i_place_variant(tr_context *tr, uint32_t key) {
-    int i = TR_I_PROGRAM_VARIANT + tr->next_variant;
-    tr->next_variant = (tr->next_variant + 1) % TR_I_VARIANT_COUNT;
+    int i;
+    do {
+        i = TR_I_PROGRAM_VARIANT + tr->next_variant;
+        tr->next_variant = (tr->next_variant + 1) % TR_I_VARIANT_COUNT;
+    } while (tr->programs[i].name && tr_i_plan_needs(tr, tr->programs[i].key));
     if (tr->programs[i].name)
         tr->gl.DeleteProgram(tr->programs[i].name);
     tr->programs[i].name = 0;

@@ -1045,6 +1045,32 @@ static void test_many_modes_on_one_context(void **state) {
     assert_nothing_left();
 }
 
+/* Lines are drawn by the same variants while compositions come and go: those that make room are never this plan's. */
+static void test_variants_in_use_stay(void **state) {
+    tr_desc desc = make_desc(TR_STATE_RESTORE);
+    (void)state;
+    reset_driver();
+    tr_context *tr = tr_create(&desc, NULL);
+    for (uint32_t i = 0; i < 3 * TR_I_VARIANT_COUNT; ++i) {
+        tr_frame frame = make_frame(1, 2);
+        tr_pass pass;
+        driver.call_count = 0;
+        frame.wishes.interior = TR_INTERIOR_LAYERS;
+        frame.wishes.layers = 1 + i % TR_MAX_LAYERS;
+        frame.wishes.blending = (tr_blending)(i / TR_MAX_LAYERS % 3);
+        frame.wishes.options = i / (3 * TR_MAX_LAYERS) % 2 ? TR_WISH_BLEND_COLOR : 0;
+        frame.wishes.lines = TR_LINES_OUTLINES;
+        assert_int_equal(tr_begin(tr, &frame), TR_OK);
+        for (int p = 0; p < tr->plan.pass_count; ++p)
+            assert_true(tr_i_program_of(tr, &tr->plan.passes[p]) >= 0);
+        while (tr_next_pass(tr, &pass)) {
+        }
+        assert_int_equal(tr_end(tr), TR_OK);
+    }
+    tr_destroy(tr);
+    assert_nothing_left();
+}
+
 static void test_plan_prints_like_snprintf(void **state) {
     tr_scene scene = {0};
     scene.opaque = 1;
@@ -1113,6 +1139,10 @@ static void test_crossings(void **state) {
     assert_int_equal(tr_crossings(&a, NULL, 0, NULL, 0), 0);
     assert_int_equal(tr_crossings(NULL, &b, 1, NULL, 0), SIZE_MAX);
     assert_int_equal(tr_crossings(&a, NULL, 1, NULL, 0), SIZE_MAX);
+    b.model[5] = NAN;
+    assert_int_equal(tr_crossings(&a, &b, 1, NULL, 0), SIZE_MAX);
+    assert_int_equal(tr_crossings(&b, &a, 1, NULL, 0), SIZE_MAX);
+    b.model[5] = 0;
     b.positions = NULL;
     assert_int_equal(tr_crossings(&a, &b, 1, NULL, 0), SIZE_MAX);
 }
@@ -1329,6 +1359,7 @@ int main(void) {
         cmocka_unit_test(test_crossings),
         cmocka_unit_test(test_crossings_by_extent),
         cmocka_unit_test(test_crossings_are_kept),
+        cmocka_unit_test(test_variants_in_use_stay),
         cmocka_unit_test(test_plan_prints_like_snprintf),
         cmocka_unit_test(test_objects_and_passes),
         cmocka_unit_test(test_alpha_in_frames),
