@@ -1,4 +1,4 @@
-/* transparency.h - v0.1.0 - illustrators' transparency for OpenGL 3.3, OpenGL ES 3.0 and WebGL 2 - MIT licence, at the end
+/* transparency.h - v0.2.0 - illustrators' transparency for OpenGL 3.3, OpenGL ES 3.0 and WebGL 2 - MIT licence, at the end
 
    DOES
    - draws technical illustrations in which opaque things show through the transparent objects that enclose them, after
@@ -91,7 +91,7 @@
    - TR_STATE_NONE            no state call is made between tr_begin and tr_end: pass.state holds what the host must
                               set, clear and bind, and passes with vertex_count > 0 are drawn by the host as well
    Not touched, and expected to be at rest: conditional rendering, transform feedback, clip control's origin, sample
-   shading. Clip distances are switched off in each pass; a host whose shaders write them switches them on again after
+   shading, smooth polygons, what only compatibility contexts have. Clip distances are switched off in each pass; a host whose shaders write them switches them on again after
    tr_next_pass. Under TR_STATE_NONE, tr_begin may still bind and restore when something is created or changed, and does
    not look at the target: that it is complete is the host's to see to, and wishes.supersample. tr_state then lists what
    differs from pass to pass; all else is to be as in a fresh context, dither off.
@@ -103,10 +103,12 @@
    ERRORS, MEMORY, THREADS
    Every function that can fail returns a tr_result and logs through desc.log_fn. A failed tr_begin leaves the state as
    found and nothing allocated that tr_destroy would not free; the next frame may be tried. One heap block a context.
-   tr_set_edges and tr_find_outlines make textures of their own when sizes change, and hold them until tr_release.
+   tr_set_edges and tr_find_outlines make textures of their own when sizes change, and hold them until tr_release;
+   tr_set_crossings until tr_destroy.
    Textures are created when a plan first needs them or the size changes (never in a steady frame): 24 bytes a pixel with
    lines and one layer, 8 or 12 more for each further layer, see tr_plan.bytes_per_pixel and docs/transparency.md. Programs
-   are compiled when a plan first needs them. tr_crossings allocates while it runs. One context of ours for one GL context, used from the thread that has it current.
+   are compiled when a plan first needs them. tr_crossings allocates by TR_MALLOC while it runs. One context of ours for
+   one GL context, used from the thread that has it current.
 
    RECIPES
    - Your own shaders: prepend the strings of tr_glsl() to a vertex and a fragment shader (which then begins without
@@ -175,7 +177,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#define TR_VERSION 100 /* major * 10000 + minor * 100 + patch */
+#define TR_VERSION 200 /* major * 10000 + minor * 100 + patch */
 
 #ifndef TR_STATIC
 #define TR_DEF extern
@@ -198,8 +200,8 @@ extern "C" {
     X(TR_GL_FUNCTION_MISSING, "a GL function that is needed was not found")                                            \
     X(TR_SHADER_FAILED, "a shader did not compile or link")                                                            \
     X(TR_TARGET_INCOMPLETE, "a framebuffer is not complete (no memory for its textures, or the target is not)")        \
-    X(TR_TOO_LARGE, "the viewport is larger than the context's textures can be")                                       \
-    X(TR_WRONG_ORDER, "tr_begin or tr_release inside of a frame, or tr_end outside")
+    X(TR_TOO_LARGE, "the viewport or an array is larger than the context's textures can be")                           \
+    X(TR_WRONG_ORDER, "inside of a frame what belongs outside of it, or tr_end outside")
 
 typedef enum tr_result {
 #define TR_I_ENUM(name, text) name,
@@ -544,12 +546,15 @@ typedef struct tr_mesh {
 } tr_mesh;
 
 /* Pure CPU: where the surface of a mesh crosses those of others, as segments of six floats in the common space. Writes at
-   most capacity segments; returns how many there are, SIZE_MAX without memory or for bad arguments. Each pair of triangles
-   that cross gives one; triangles with an index out of range or a number that is not finite give none, nor do such as
-   touch or lie in one plane. Ends are rounded to float. Time grows with the triangles whose extents along x overlap. */
+   most capacity segments; returns how many there are, SIZE_MAX without memory or for bad arguments, such as a model that
+   is not finite. Each pair of triangles that cross gives one; triangles with an index out of range or a number that is
+   not finite give none, nor do such as touch or lie in one plane. Ends are rounded to float. Time grows with the
+   triangles whose extents along x overlap. */
 TR_DEF size_t tr_crossings(const tr_mesh *mesh, const tr_mesh *others, size_t other_count, float *segments,
                            size_t capacity);
-/* For TR_WISH_ENTERING; outside of a frame; count may be 0. The segments are copied, and GL state is left as it was. */
+/* For TR_WISH_ENTERING; outside of a frame; count may be 0. The segments are copied, and GL state is left as found. No
+   texture is made anew while their number changes by less than a quarter. TR_TOO_LARGE: more than 512 *
+   GL_MAX_TEXTURE_SIZE of them. */
 TR_DEF tr_result tr_set_crossings(tr_context *tr, const float *segments, size_t count);
 
 /* For surface passes drawn with the built-in program; call it after tr_next_pass, before the draw call. */
@@ -575,7 +580,8 @@ typedef struct tr_info {
     const tr_plan *plan; /* of the last tr_begin */
 } tr_info;
 TR_DEF tr_info tr_get_info(const tr_context *tr);
-/* Gives the textures back, e.g. when illustrations pause; the next frame makes them anew. */
+/* Gives the textures back, e.g. when illustrations pause; the next frame makes them anew. Edges and outlines have to be
+   given anew before it; crossings stay. TR_WRONG_ORDER: inside of a frame. */
 TR_DEF tr_result tr_release(tr_context *tr);
 
 TR_DEF const char *tr_result_string(tr_result result);
@@ -1050,9 +1056,11 @@ static const char *const tr_i_shader_crossings_glsl[] = {
     "highp float tr_crossing_distance(highp vec3 point, highp ivec2 range)\n"
     "{\n"
     "    highp float least = tr_enter.y * tr_enter.y;\n"
-    "    for (int i = 0; i < range.y; ++i) {\n"
-    "        highp vec3 a = tr_crossing_end(2 * (range.x + i));\n"
-    "        highp vec3 along = tr_crossing_end(2 * (range.x + i) + 1) - a, from = point - a;\n"
+    "    // A range of more than there is ends where the texture does.\n"
+    "    int end = min(range.x + range.y, 512 * textureSize(tr_crossings, 0).y);\n"
+    "    for (int i = max(range.x, 0); i < end; ++i) {\n"
+    "        highp vec3 a = tr_crossing_end(2 * i);\n"
+    "        highp vec3 along = tr_crossing_end(2 * i + 1) - a, from = point - a;\n"
     "        highp float square = dot(along, along);\n"
     "        highp float t = square > 0.0 ? clamp(dot(from, along) / square, 0.0, 1.0) : 0.0;\n"
     "        highp vec3 away = from - t * along;\n"
@@ -1854,7 +1862,7 @@ enum {
     TR_I_OPAQUE_COLOR, /* alpha 1 where an opaque thing is */
     TR_I_LAYER_COLOR,  /* of all layers */
     TR_I_MARK,         /* group, and method in the highest bit, of the front-most transparent object */
-    TR_I_CROSSINGS,    /* segments, two texels each; not of the frame\'s size */
+    TR_I_CROSSINGS,    /* segments, two texels each; not of the frame's size */
     TR_I_DEPTH_COPY,   /* of SCENE_DEPTH without lines */
     TR_I_TEXTURE_COUNT
 };
@@ -2774,8 +2782,9 @@ static void tr_i_apply(const tr_context *tr, const tr_state *state) {
     tr_i_bind_textures(tr, state);
     if (tr->frame.wishes.options & TR_WISH_SRGB && !tr->es)
         tr_i_switch(tr, TR_I_GL_FRAMEBUFFER_SRGB, state->srgb);
-    gl->BindBufferRange(TR_I_GL_UNIFORM_BUFFER, (tr_i_u)state->uniform_binding, state->uniform_buffer,
-                        state->uniform_offset, state->uniform_size);
+    if (state->uniform_buffer) /* those that find outlines read none, and a range of no size is an error to GL 3.3 */
+        gl->BindBufferRange(TR_I_GL_UNIFORM_BUFFER, (tr_i_u)state->uniform_binding, state->uniform_buffer,
+                            state->uniform_offset, state->uniform_size);
 }
 
 /* ---- shaders and programs --------------------------------------------------------------------------------------- */
@@ -3075,8 +3084,10 @@ TR_I_API const char *const *tr_alpha_glsl(const tr_context *tr, tr_stage stage, 
 
 TR_I_API tr_result tr_prepare_program(tr_context *tr, uint32_t program) {
     int32_t current = 0, linked = 0;
-    if (!tr || !tr->gl.IsProgram(program))
+    if (!tr)
         return TR_INVALID_ARGUMENT;
+    if (!tr->gl.IsProgram(program))
+        return tr_i_fail(&tr->desc, TR_INVALID_ARGUMENT, "tr_prepare_program: no program has that name");
     tr->gl.GetProgramiv(program, TR_I_GL_LINK_STATUS, &linked);
     if (!linked)
         return tr_i_fail(&tr->desc, TR_INVALID_ARGUMENT, "tr_prepare_program: the program is not linked");
@@ -3299,29 +3310,53 @@ TR_I_API tr_context *tr_create(const tr_desc *desc, tr_result *result) {
     return tr;
 }
 
+/* Hosts that apply state themselves, and TR_STATE_LEAVE_DIRTY, leave ours bound. What is deleted is bound nowhere, and must
+   not be bound again when the snapshot is put back: core GL would call that an error, and ES make a new texture. */
+static void tr_i_forget(int32_t *saved, tr_i_u name) {
+    if ((tr_i_u)*saved == name)
+        *saved = 0;
+}
+
+static void tr_i_delete_textures(tr_context *tr, int count, tr_i_u *names) {
+    int i, unit;
+    for (i = 0; i < count; ++i) {
+        for (unit = 0; unit < TR_TEXTURE_UNITS; ++unit)
+            tr_i_forget(&tr->saved.textures[unit], names[i]);
+        for (unit = 0; unit < TR_I_EDGE_TEXTURE_COUNT; ++unit)
+            tr_i_forget(&tr->saved.edge_textures[unit], names[i]);
+    }
+    tr->gl.DeleteTextures(count, names);
+    memset(names, 0, (size_t)count * sizeof names[0]);
+}
+
+static void tr_i_delete_framebuffers(tr_context *tr, int count, tr_i_u *names) {
+    int i;
+    for (i = 0; i < count; ++i) {
+        tr_i_forget(&tr->saved.draw_framebuffer, names[i]);
+        tr_i_forget(&tr->saved.read_framebuffer, names[i]);
+    }
+    tr->gl.DeleteFramebuffers(count, names);
+    memset(names, 0, (size_t)count * sizeof names[0]);
+}
+
 static void tr_i_drop_textures(tr_context *tr) {
     tr_i_u crossings = tr->textures[TR_I_CROSSINGS];
     tr->textures[TR_I_CROSSINGS] = 0;
-    tr->gl.DeleteFramebuffers(TR_I_FBO_COUNT, tr->fbos);
-    tr->gl.DeleteTextures(TR_I_TEXTURE_COUNT, tr->textures);
-    memset(tr->fbos, 0, sizeof tr->fbos);
-    memset(tr->textures, 0, sizeof tr->textures);
+    tr_i_delete_framebuffers(tr, TR_I_FBO_COUNT, tr->fbos);
+    tr_i_delete_textures(tr, TR_I_TEXTURE_COUNT, tr->textures);
     tr->textures[TR_I_CROSSINGS] = crossings; /* the host's data, of no frame's size */
     tr->width = tr->height = 0;
 }
 
 static void tr_i_drop_outlines(tr_context *tr) {
-    tr->gl.DeleteFramebuffers(2, tr->outline_fbos);
-    tr->gl.DeleteTextures(2, tr->outline_textures);
-    memset(tr->outline_fbos, 0, sizeof tr->outline_fbos);
-    memset(tr->outline_textures, 0, sizeof tr->outline_textures);
+    tr_i_delete_framebuffers(tr, 2, tr->outline_fbos);
+    tr_i_delete_textures(tr, 2, tr->outline_textures);
     tr->outline_width = tr->outline_height = 0;
     tr->outline_pixel = 0;
 }
 
 static void tr_i_drop_edges(tr_context *tr) {
-    tr->gl.DeleteTextures(TR_I_EDGE_TEXTURE_COUNT, tr->edge_textures);
-    memset(tr->edge_textures, 0, sizeof tr->edge_textures);
+    tr_i_delete_textures(tr, TR_I_EDGE_TEXTURE_COUNT, tr->edge_textures);
     memset(tr->edge_rows, 0, sizeof tr->edge_rows);
 }
 
@@ -3537,7 +3572,7 @@ static size_t tr_i_first_reaching(const tr_i_extent *extents, size_t count, doub
 }
 
 static int tr_i_mesh_is_valid(const tr_mesh *mesh) {
-    return (mesh->positions && mesh->indices) || mesh->index_count < 3;
+    return ((mesh->positions && mesh->indices) || mesh->index_count < 3) && tr_i_all_finite(mesh->model, 16);
 }
 
 TR_I_API size_t tr_crossings(const tr_mesh *mesh, const tr_mesh *others, size_t other_count, float *segments,
@@ -3600,43 +3635,53 @@ static void tr_i_pixel_storage(const tr_context *tr, int32_t saved[8], int resto
     }
 }
 
-/* Ends of segments as texels, filled up to whole rows. */
-static float *tr_i_crossing_texels(const tr_context *tr, const float *segments, size_t count, size_t rows) {
-    float *texels = (float *)tr->desc.alloc_fn(rows * TR_I_CROSSING_ROW * 4 * sizeof *texels, tr->desc.alloc_user);
-    size_t i;
-    if (!texels)
-        return 0;
-    memset(texels, 0, rows * TR_I_CROSSING_ROW * 4 * sizeof *texels);
-    for (i = 0; i < 2 * count; ++i)
-        memcpy(texels + 4 * i, segments + 3 * i, 3 * sizeof *texels);
-    return texels;
+/* Ends of segments as texels, a row at a time. */
+static void tr_i_upload_crossings(const tr_context *tr, const float *segments, size_t ends) {
+    float texels[TR_I_CROSSING_ROW][4];
+    size_t first, i;
+    memset(texels, 0, sizeof texels);
+    for (first = 0; first < ends; first += TR_I_CROSSING_ROW) {
+        size_t wide = ends - first < TR_I_CROSSING_ROW ? ends - first : TR_I_CROSSING_ROW;
+        for (i = 0; i < wide; ++i)
+            memcpy(texels[i], segments + 3 * (first + i), 3 * sizeof(float));
+        tr->gl.TexSubImage2D(TR_I_GL_TEXTURE_2D, 0, 0, (int32_t)(first / TR_I_CROSSING_ROW), (int32_t)wide, 1,
+                             TR_I_GL_RGBA, TR_I_GL_FLOAT, texels);
+    }
+}
+
+/* Room for so many rows: a quarter more when it grows, given back when three quarters are not used. */
+static void tr_i_fit_crossings(tr_context *tr, size_t rows) {
+    size_t held = (size_t)tr->slices[TR_I_CROSSINGS], most = (size_t)tr->max_texture;
+    int made = tr->textures[TR_I_CROSSINGS] != 0;
+    if (!made)
+        tr->gl.GenTextures(1, &tr->textures[TR_I_CROSSINGS]);
+    tr->gl.BindTexture(TR_I_GL_TEXTURE_2D, tr->textures[TR_I_CROSSINGS]);
+    if (made && rows <= held && (rows + 1) * 4 >= held)
+        return;
+    rows = rows + rows / 4 < most ? rows + rows / 4 : most;
+    tr->gl.TexImage2D(TR_I_GL_TEXTURE_2D, 0, (int32_t)TR_I_GL_RGBA32F, TR_I_CROSSING_ROW, (int32_t)rows, 0,
+                      TR_I_GL_RGBA, TR_I_GL_FLOAT, 0);
+    tr->gl.TexParameteri(TR_I_GL_TEXTURE_2D, TR_I_GL_TEXTURE_MIN_FILTER, TR_I_GL_NEAREST);
+    tr->gl.TexParameteri(TR_I_GL_TEXTURE_2D, TR_I_GL_TEXTURE_MAG_FILTER, TR_I_GL_NEAREST);
+    tr->slices[TR_I_CROSSINGS] = (int)rows;
 }
 
 TR_I_API tr_result tr_set_crossings(tr_context *tr, const float *segments, size_t count) {
-    size_t rows = (2 * count + TR_I_CROSSING_ROW - 1) / TR_I_CROSSING_ROW;
+    size_t rows;
     int32_t saved[8];
-    float *texels;
-    if (!tr || (!segments && count))
+    if (!tr)
         return TR_INVALID_ARGUMENT;
+    if (!segments && count)
+        return tr_i_fail(&tr->desc, TR_INVALID_ARGUMENT, "tr_set_crossings: segments");
     if (tr->in_frame)
         return tr_i_fail(&tr->desc, TR_WRONG_ORDER, "tr_set_crossings");
-    if (count > (size_t)1 << 30 || rows > (size_t)tr->max_texture)
+    if (count > (size_t)tr->max_texture * (TR_I_CROSSING_ROW / 2))
         return tr_i_fail(&tr->desc, TR_TOO_LARGE, "tr_set_crossings");
-    rows = rows ? rows : 1;
-    texels = tr_i_crossing_texels(tr, segments, count, rows);
-    if (!texels)
-        return tr_i_fail(&tr->desc, TR_OUT_OF_MEMORY, "tr_set_crossings");
+    rows = (2 * count + TR_I_CROSSING_ROW - 1) / TR_I_CROSSING_ROW;
     tr_i_pixel_storage(tr, saved, 0);
-    if (!tr->textures[TR_I_CROSSINGS])
-        tr->gl.GenTextures(1, &tr->textures[TR_I_CROSSINGS]);
-    tr->gl.BindTexture(TR_I_GL_TEXTURE_2D, tr->textures[TR_I_CROSSINGS]);
-    tr->gl.TexImage2D(TR_I_GL_TEXTURE_2D, 0, (int32_t)TR_I_GL_RGBA32F, TR_I_CROSSING_ROW, (int32_t)rows, 0,
-                      TR_I_GL_RGBA, TR_I_GL_FLOAT, texels);
-    tr->gl.TexParameteri(TR_I_GL_TEXTURE_2D, TR_I_GL_TEXTURE_MIN_FILTER, TR_I_GL_NEAREST);
-    tr->gl.TexParameteri(TR_I_GL_TEXTURE_2D, TR_I_GL_TEXTURE_MAG_FILTER, TR_I_GL_NEAREST);
+    tr_i_fit_crossings(tr, rows ? rows : 1);
+    tr_i_upload_crossings(tr, segments, 2 * count);
     tr_i_pixel_storage(tr, saved, 1);
-    tr->slices[TR_I_CROSSINGS] = (int)rows;
-    tr->desc.free_fn(texels, tr->desc.alloc_user);
     return TR_OK;
 }
 
@@ -4148,10 +4193,22 @@ static int tr_i_program_of(const tr_context *tr, const tr_plan_pass *pass) {
     return -1;
 }
 
-/* A free place for a variant, or that of the one made longest ago. */
+static int tr_i_plan_needs(const tr_context *tr, uint32_t key) {
+    int i;
+    for (i = 0; i < tr->plan.pass_count; ++i)
+        if (tr_i_pass_key(tr, &tr->plan.passes[i]) == key)
+            return 1;
+    return 0;
+}
+
+/* A free place for a variant, or that of the one made longest ago that this plan can do without: there is one, since there
+   are more places than a plan has variants. */
 static int tr_i_place_variant(tr_context *tr, uint32_t key) {
-    int i = TR_I_PROGRAM_VARIANT + tr->next_variant;
-    tr->next_variant = (tr->next_variant + 1) % TR_I_VARIANT_COUNT;
+    int i;
+    do {
+        i = TR_I_PROGRAM_VARIANT + tr->next_variant;
+        tr->next_variant = (tr->next_variant + 1) % TR_I_VARIANT_COUNT;
+    } while (tr->programs[i].name && tr_i_plan_needs(tr, tr->programs[i].key));
     if (tr->programs[i].name)
         tr->gl.DeleteProgram(tr->programs[i].name);
     tr->programs[i].name = 0;
@@ -4187,7 +4244,7 @@ static void tr_i_eye_depth(const float p[16], int zero_to_one, float out[4]) {
     out[3] = (float)(scale * (double)p[11]);
 }
 
-static void tr_i_fill_block(const tr_frame *frame, int zero_to_one, tr_i_block *block) {
+static void tr_i_fill_block(const tr_frame *frame, int zero_to_one, int supersample, tr_i_block *block) {
     static const float light[3] = {-0.45f, 0.65f, 0.62f};
     static const float cool[4] = {0.10f, 0.14f, 0.30f, 0.45f}, warm[4] = {0.22f, 0.19f, 0.08f, 0.80f};
     static const float zero[4] = {0, 0, 0, 0};
@@ -4210,7 +4267,7 @@ static void tr_i_fill_block(const tr_frame *frame, int zero_to_one, tr_i_block *
     memcpy(block->shift, frame->jitter, sizeof frame->jitter);
     block->enter[0] = tr_i_weight(frame->enter_strength, 0.5f);
     block->enter[1] = frame->enter_distance;
-    block->enter[2] = frame->enter_line > 0.0f ? frame->enter_line : 0.0f;
+    block->enter[2] = frame->enter_line > 0.0f ? frame->enter_line * (float)supersample : 0.0f; /* in our texels */
     block->viewport[0] = (float)frame->x;
     block->viewport[1] = (float)frame->y;
     block->viewport[2] = (float)frame->width;
@@ -4332,7 +4389,7 @@ static void tr_i_suit_target(tr_context *tr, int multisampled) {
 TR_I_API tr_result tr_begin(tr_context *tr, const tr_frame *frame) {
     tr_i_block block;
     tr_result result;
-    int work = 1, multisampled = 0, none;
+    int work, multisampled = 0, none;
     if (!tr || !frame)
         return TR_INVALID_ARGUMENT;
     if (tr->in_frame)
@@ -4353,16 +4410,17 @@ TR_I_API tr_result tr_begin(tr_context *tr, const tr_frame *frame) {
     tr->frame = *frame;
     tr->next_pass = 0;
     if (tr->plan.pass_count > 0) {
-        tr_i_fill_block(frame, tr->desc.zero_to_one, &block);
         none = tr->desc.state == TR_STATE_NONE;
-        if (none)
-            work = tr_i_needs_work(tr, &block);
-        if (work || !none)
+        if (!none) {
             tr_i_save(tr, &tr->saved);
-        if (!none)
             result = tr_i_check_target(tr, &multisampled);
-        tr_i_suit_target(tr, multisampled);
-        if (result == TR_OK && tr_i_needs_work(tr, &block))
+            tr_i_suit_target(tr, multisampled);
+        }
+        tr_i_fill_block(frame, tr->desc.zero_to_one, tr->plan.supersample, &block);
+        work = tr_i_needs_work(tr, &block);
+        if (work && none)
+            tr_i_save(tr, &tr->saved);
+        if (work && result == TR_OK)
             result = tr_i_work(tr, &block);
         if (result != TR_OK || (work && none))
             tr_i_restore(tr, &tr->saved);
@@ -4576,6 +4634,8 @@ TR_I_API int tr_pass_draws(const tr_pass *pass, const tr_object *object) {
 }
 
 TR_I_API void tr_outline_uniform(const tr_context *tr, float uniform[3]) {
+    if (!tr || !uniform)
+        return;
     uniform[0] = tr->outline_pixel;
     uniform[1] = tr->width > 0 ? (float)tr->outline_width / (float)tr->width : 0;
     uniform[2] = tr->height > 0 ? (float)tr->outline_height / (float)tr->height : 0;
@@ -4716,7 +4776,6 @@ static void tr_i_flood(tr_context *tr, const tr_outlines *image, int program) {
 
 TR_I_API tr_result tr_find_outlines(tr_context *tr, const tr_outlines *image) {
     int program = TR_I_PROGRAM_OUTLINE + (image && image->id_texture ? 2 : 0);
-    tr_i_snapshot saved;
     tr_result result;
     if (!tr || !image)
         return TR_INVALID_ARGUMENT;
@@ -4725,7 +4784,7 @@ TR_I_API tr_result tr_find_outlines(tr_context *tr, const tr_outlines *image) {
     result = tr_i_check_outlines(tr, image);
     if (result != TR_OK)
         return result;
-    tr_i_save(tr, &saved);
+    tr_i_save(tr, &tr->saved);
     if (!tr->vertex_array)
         tr->gl.GenVertexArrays(1, &tr->vertex_array);
     result = tr_i_fit_outlines(tr, image->width, image->height);
@@ -4737,7 +4796,7 @@ TR_I_API tr_result tr_find_outlines(tr_context *tr, const tr_outlines *image) {
         tr_i_flood(tr, image, program);
         tr->outline_pixel = (float)fabs(2.0 / ((double)image->projection[5] * (double)image->height));
     }
-    tr_i_restore(tr, &saved);
+    tr_i_restore(tr, &tr->saved);
     return result;
 }
 

@@ -13,9 +13,11 @@ highp vec3 tr_crossing_end(int index)
 highp float tr_crossing_distance(highp vec3 point, highp ivec2 range)
 {
     highp float least = tr_enter.y * tr_enter.y;
-    for (int i = 0; i < range.y; ++i) {
-        highp vec3 a = tr_crossing_end(2 * (range.x + i));
-        highp vec3 along = tr_crossing_end(2 * (range.x + i) + 1) - a, from = point - a;
+    // A range of more than there is ends where the texture does.
+    int end = min(range.x + range.y, 512 * textureSize(tr_crossings, 0).y);
+    for (int i = max(range.x, 0); i < end; ++i) {
+        highp vec3 a = tr_crossing_end(2 * i);
+        highp vec3 along = tr_crossing_end(2 * i + 1) - a, from = point - a;
         highp float square = dot(along, along);
         highp float t = square > 0.0 ? clamp(dot(from, along) / square, 0.0, 1.0) : 0.0;
         highp vec3 away = from - t * along;

@@ -8,10 +8,13 @@
 static const char *const rung_names[TR_ALPHA_COUNT] = {"distance at vertices", "published", "candidates", "exact",
                                                        "image"};
 
+static uint32_t first_triangle;
+
 /* Black on white, by the built-in programs, as seen: what is not red is alpha, in 8 bits. */
 static void draw_built_in(harness *h, const field *f, tr_alpha alpha, const tr_edge_set *set, unsigned char *pixels) {
     tr_frame frame = field_frame_of(h, alpha);
     tr_material material = field_material_of(f, set);
+    material.first_triangle = first_triangle;
     const double white[3] = {1, 1, 1};
     tr_pass pass;
     harness_clear(h, white, 1.0f);
@@ -40,7 +43,6 @@ static field_verdict measure(harness *h, const field *f, tr_alpha alpha, float *
     return field_judge(f, out);
 }
 
-/* The first two rungs are as good as the mesh is fine; the last two are the field itself, without a seam. */
 /* The first two rungs, as they are meant: what is interpolated between the corners, and what is made of it there. */
 static double worst_interpolated(const field *f, tr_alpha alpha, const float *out) {
     double worst = 0;
@@ -60,6 +62,7 @@ static double worst_interpolated(const field *f, tr_alpha alpha, const float *ou
     return worst;
 }
 
+/* The first two rungs are as good as the mesh is fine; the last two are the field itself, without a seam. */
 static void test_rungs_against_the_field(void **state) {
     static const char *const models[] = {"mug", "crank", "gearbox", "shells"};
     static float out[FIELD_PIXELS];
@@ -352,13 +355,46 @@ static void test_same_picture_everywhere(void **state) {
     scene_destroy(model);
 }
 
+/* Where the triangles of several meshes share one array, tr_material.first_triangle says where this one's begin. */
+static void test_first_triangle(void **state) {
+    enum { BEFORE = 1500 };
+    static unsigned char alone[4 * FIELD_PIXELS], shared[4 * FIELD_PIXELS];
+    const double turn[2] = {0.6, 0.5};
+    harness h;
+    tr_edge_set set;
+    (void)state;
+    scene *model = models_make("mug");
+    field f;
+    field_open(&f, &model->meshes[0], identity, turn);
+    harness_open(&h, 330, false, NULL);
+    harness_target(&h, FIELD_SIZE, FIELD_SIZE);
+    field_upload(&f);
+    tr_edges edges = field_edges_of(&f, TR_ALPHA_CANDIDATES);
+    assert_int_equal(tr_set_edges(h.tr, &edges, 1, &set), TR_OK);
+    draw_built_in(&h, &f, TR_ALPHA_CANDIDATES, &set, alone);
+    uint32_t *offsets = calloc(BEFORE + f.triangle_count + 1, sizeof *offsets);
+    assert_non_null(offsets);
+    memcpy(offsets + BEFORE, f.offsets, (f.triangle_count + 1) * sizeof *offsets);
+    edges.offsets = offsets;
+    edges.triangle_count += BEFORE;
+    assert_int_equal(tr_set_edges(h.tr, &edges, 1, &set), TR_OK);
+    draw_built_in(&h, &f, TR_ALPHA_CANDIDATES, &set, shared);
+    assert_int_not_equal(memcmp(alone, shared, sizeof alone), 0);
+    first_triangle = BEFORE;
+    draw_built_in(&h, &f, TR_ALPHA_CANDIDATES, &set, shared);
+    first_triangle = 0;
+    assert_memory_equal(alone, shared, sizeof alone);
+    free(offsets);
+    field_close(&f);
+    harness_close(&h);
+    scene_destroy(model);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_rungs_against_the_field),
-        cmocka_unit_test(test_any_edges),
-        cmocka_unit_test(test_edges_of_no_length),
-        cmocka_unit_test(test_outlines_are_found),
-        cmocka_unit_test(test_image_rung),
+        cmocka_unit_test(test_rungs_against_the_field), cmocka_unit_test(test_any_edges),
+        cmocka_unit_test(test_edges_of_no_length),      cmocka_unit_test(test_first_triangle),
+        cmocka_unit_test(test_outlines_are_found),      cmocka_unit_test(test_image_rung),
         cmocka_unit_test(test_same_picture_everywhere),
     };
     return cmocka_run_group_tests_name("gl_alpha", tests, NULL, NULL);

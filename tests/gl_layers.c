@@ -459,12 +459,18 @@ static void thin_line(tr_frame *frame) {
     frame->outline_color[0] = 1.0f;
 }
 
-/* The curve as a line: ink where the plain picture has none, in a narrow band. */
+static void thin_line_of_texels(tr_frame *frame) {
+    thin_line(frame);
+    frame->wishes.supersample = 3;
+}
+
+/* The curve as a line: ink where the plain picture has none, in a narrow band; as wide with more texels a pixel. */
 static void test_curve_as_a_line(void **state) {
     static unsigned char picture[240 * 240 * 4];
     harness_options options = {0, 0, NULL, NULL, NULL, NULL, 0, thin_line};
     test_scene s;
     size_t ink = 0, other = 0;
+    double red = 0, red_of_texels = 0;
     (void)state;
     init_scene(&s, 240);
     entering(&s);
@@ -479,9 +485,17 @@ static void test_curve_as_a_line(void **state) {
     for (size_t i = 0; i < 240 * 240; ++i) {
         ink += picture[4 * i] > 100;
         other += picture[4 * i] > 0 && picture[4 * i] < 100;
+        red += picture[4 * i];
     }
     printf("    %zu pixels of ink, %zu mixed\n", ink, other);
     assert_true(ink > 150 && ink < 3000 && other == 0);
+    options.change = thin_line_of_texels;
+    harness_clear(&desktop, s.scene.background, 1.0f);
+    harness_draw(&desktop, &s.scene, s.objects, s.count, &options, picture);
+    for (size_t i = 0; i < 240 * 240; ++i)
+        red_of_texels += picture[4 * i];
+    printf("    with 9 texels a pixel %.2f as much\n", red_of_texels / red);
+    assert_true(fabs(red_of_texels / red - 1) < 0.1); /* rims are cut at texels, not pixels */
     drop_scene(&s);
 }
 

@@ -682,6 +682,30 @@ static void test_policies_draw_the_same(void **state) {
     }
 }
 
+/* A host that applies state itself leaves the last frame's textures bound, and a frame of another size deletes them:
+ * nothing that is gone is bound again when state is put back. */
+static void test_deleted_names_stay_unbound(void **state) {
+    harness h;
+    tr_desc desc = {0};
+    (void)state;
+    is_es = false;
+    version = 450;
+    desc.state = TR_STATE_NONE;
+    harness_open(&h, 450, false, &desc);
+    make_boxes();
+    harness_target(&h, 64, 64);
+    tr_frame frame = harness_frame(&h, &box_scene, boxes, 3);
+    for (int i = 0; i < 3; ++i) {
+        frame.width = 64 - i;
+        draw_from_data(&h, &frame);
+        assert_int_equal(glGetError(), GL_NO_ERROR);
+    }
+    plain_state();
+    for (int i = 0; i < 3; ++i)
+        harness_drop_object(&boxes[i]);
+    harness_close(&h);
+}
+
 /* Of a multisampled target the state is left as found too. */
 static void test_multisampled_target_leaves_state(void **state) {
     harness h;
@@ -713,10 +737,11 @@ static void test_multisampled_target_leaves_state(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_state_is_restored_gl45),  cmocka_unit_test(test_state_is_restored_gl33),
-        cmocka_unit_test(test_state_is_restored_es32),  cmocka_unit_test(test_state_is_restored_es30),
-        cmocka_unit_test(test_other_calls_leave_state), cmocka_unit_test(test_defaults_are_left),
-        cmocka_unit_test(test_policies_draw_the_same),  cmocka_unit_test(test_multisampled_target_leaves_state),
+        cmocka_unit_test(test_state_is_restored_gl45),     cmocka_unit_test(test_state_is_restored_gl33),
+        cmocka_unit_test(test_state_is_restored_es32),     cmocka_unit_test(test_state_is_restored_es30),
+        cmocka_unit_test(test_other_calls_leave_state),    cmocka_unit_test(test_defaults_are_left),
+        cmocka_unit_test(test_policies_draw_the_same),     cmocka_unit_test(test_multisampled_target_leaves_state),
+        cmocka_unit_test(test_deleted_names_stay_unbound),
     };
     return cmocka_run_group_tests_name("gl_state", tests, NULL, NULL);
 }
