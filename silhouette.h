@@ -7347,7 +7347,8 @@ static double sil_i_weight_factor(const sil_i_pen *pen, size_t i, double distanc
     case SIL_WEIGHT_THICK_THIN:
         return pen->strip->kinds & (SIL_SILHOUETTE | SIL_BOUNDARY) ? pen->heavy : pen->thin;
     case SIL_WEIGHT_PERSPECTIVE:
-        t = (distance - pen->reach[0]) / (pen->reach[1] - pen->reach[0]);
+        t = pen->reach[1] - pen->reach[0];
+        t = t > 0 || t < 0 ? (distance - pen->reach[0]) / t : distance > pen->reach[0];
         return sil_i_mix(pen->heavy, pen->thin, t > 0 ? t < 1 ? t : 1 : 0);
     case SIL_WEIGHT_LIGHT:
         return sil_i_light_factor(pen, i);
