@@ -146,7 +146,7 @@ oldest := env LIBGL_ALWAYS_SOFTWARE=1 MESA_GL_VERSION_OVERRIDE=3.3 MESA_GLSL_VER
     MESA_GLES_VERSION_OVERRIDE=3.0 GLASSINE_MAX_GL=330 GLASSINE_MAX_ES=300
 run-tests: $(unit_tests) $(mock_tests) $(gl_tests) build/illustrate build/host build/embed_shaders $(glad)
 	@tools/run_suites $(unit_tests) $(mock_tests) $(gl_tests) \
-	    '$(softpipe) build/tests/gl_alpha' \
+	    '$(softpipe) build/tests/gl_alpha' '$(softpipe) build/tests/gl_targets' \
 	    $(foreach test,hosts transparency integration,'$(softpipe) build/tests/gl_$(test)' '$(oldest) build/tests/gl_$(test)') \
 	    'tests/compile/headers_alone build/compile' 'build/embed_shaders . --check' \
 	    'tests/compile/quick_starts build/quick_starts' 'tests/compile/minimal_examples build/minimal' \
