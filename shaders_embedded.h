@@ -589,7 +589,7 @@ static const char *const shaders_i_shader_frame_block_glsl[] = {
     "    highp vec4 tr_blend;    // rgb: stands for the background behind transparent surfaces; a: group distance\n"
     "    highp vec4 tr_enter;    // x: strength of the shade, y: its width, z: width of the curve, in pixels\n"
     "    highp vec4 tr_shift;    // xy: sub-pixel jitter in pixels\n"
-    "    highp ivec4 tr_step;    // x: the layer that this pass reads\n"
+    "    highp ivec4 tr_step;    // x: the layer that this pass reads; yz: where the viewport is in the host's opaque textures\n"
     "};\n"
     "\n"
     "// How far a window depth is from the eye, along the view direction.\n"
@@ -1878,6 +1878,47 @@ static const char *const shaders_i_shader_surface_vertex_glsl[] = {
     "// Passes compare depths for equality: all programs that draw an object must compute the very same position.\n"
     "invariant gl_Position;\n",
     0};
+static const char *const shaders_i_shader_take_opaque_frag[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// Opaque things from the host's textures. Of those the nearest alone can show, whatever the rule: where the limit hides it,\n"
+    "// it hides all behind it. The depth test against the limit decides; the far value, which is nearer than nothing, is\n"
+    "// background. What is outside of the textures, and NaN, too.\n"
+    "//\n"
+    "// TR_SUPERSAMPLE: the host's texel stands for that many of ours along each side.\n"
+    "// TR_SRGB: what is read is light; our textures hold display values, IEC 61966-2-1.\n"
+    "uniform highp sampler2D tr_scene_depth;  // the host's\n"
+    "uniform highp sampler2D tr_opaque_color; // the host's\n"
+    "layout(location = 0) out highp vec4 tr_color;\n"
+    "\n"
+    "#ifdef TR_REVERSED_Z\n"
+    "#define TR_IS_SOMETHING(depth) ((depth) > 0.0)\n"
+    "#else\n"
+    "#define TR_IS_SOMETHING(depth) ((depth) < 1.0)\n"
+    "#endif\n"
+    "\n"
+    "highp vec3 tr_display_of(highp vec3 light)\n"
+    "{\n"
+    "#if TR_SRGB\n"
+    "    light = clamp(light, 0.0, 1.0);\n"
+    "    return mix(12.92 * light, 1.055 * pow(light, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, light));\n"
+    "#else\n"
+    "    return light;\n"
+    "#endif\n"
+    "}\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    ivec2 texel = ivec2(gl_FragCoord.xy) / TR_SUPERSAMPLE + tr_step.yz;\n"
+    "    if (any(greaterThanEqual(texel, min(textureSize(tr_scene_depth, 0), textureSize(tr_opaque_color, 0)))))\n"
+    "        discard;\n"
+    "    highp float depth = texelFetch(tr_scene_depth, texel, 0).r;\n"
+    "    if (!TR_IS_SOMETHING(depth))\n"
+    "        discard;\n"
+    "    tr_color = vec4(tr_display_of(texelFetch(tr_opaque_color, texel, 0).rgb), 1.0);\n"
+    "    gl_FragDepth = depth;\n"
+    "}\n",
+    0};
 static const shaders_i_entry shaders_i_table[] = {
     {"alpha_fragment.glsl", shaders_i_shader_alpha_fragment_glsl, 2},
     {"alpha_law.glsl", shaders_i_shader_alpha_law_glsl, 1},
@@ -1911,6 +1952,7 @@ static const shaders_i_entry shaders_i_table[] = {
     {"surface.vert", shaders_i_shader_surface_vert, 1},
     {"surface_rules.glsl", shaders_i_shader_surface_rules_glsl, 3},
     {"surface_vertex.glsl", shaders_i_shader_surface_vertex_glsl, 1},
+    {"take_opaque.frag", shaders_i_shader_take_opaque_frag, 1},
     {0, 0, 0}};
 /* clang-format on */
 /* ==== end of generated shaders ==== */

@@ -247,7 +247,8 @@ enum {
     TR_EXPLICIT = 8,
     TR_CLOSED =
         16, /* a fact, for TR_INTERIOR_AUTO: each edge has two faces, so that there is an inside (sil_mesh_info) */
-    TR_HOLDING = 32 /* a fact: opaque objects lie within that inside, between front and back faces (sil_containment) */
+    TR_HOLDING = 32, /* a fact: opaque objects lie within that inside, between front and back faces (sil_containment) */
+    TR_DRAWN = 64 /* opaque, and in frame.opaque_color and opaque_depth already: not drawn again, but for its lines */
 };
 /* Transparent objects of one semantic group, 1 to 127, show through each other; to be or-ed into the flags. */
 #define TR_GROUP(number) ((uint32_t)(number) << 8)
@@ -266,6 +267,7 @@ typedef struct tr_scene {
     uint32_t holding;                        /* of the other transparent ones: TR_CLOSED and TR_HOLDING */
     uint32_t group_size;                     /* transparent objects in the largest group */
     uint32_t invalid;                        /* objects with an id, a group or flags out of range */
+    uint32_t opaque_drawn;                   /* TR_DRAWN; a frame with frame.opaque_depth counts one at least */
 } tr_scene;
 
 typedef enum tr_interior {
@@ -340,6 +342,10 @@ typedef struct tr_frame {
     float enter_distance;   /* in which that falls to nothing, units of the segments; needed with TR_WISH_ENTERING */
     float enter_line;       /* width in pixels of the curve as a line, in the outlines' colour; 0: none */
     float jitter[2];        /* sub-pixel jitter in the projection, pixels: lines are shifted by it, as surfaces are */
+    /* Opaque things that the host has drawn already, see RECIPES, "Existing depth": two of GL_TEXTURE_2D, or neither. Depth
+       or red, without comparison; colours of floats or normalised, with TR_WISH_SRGB light, as sRGB formats give it. */
+    uint32_t opaque_color, opaque_depth; /* 0: none */
+    int opaque_x, opaque_y;              /* texel of both at the viewport's lower left corner */
 } tr_frame;
 
 /* ---- the plan --------------------------------------------------------------------------------------------------- */
@@ -356,6 +362,7 @@ typedef enum tr_pass_kind {
     TR_PASS_TRANSPARENT_LINES, /* lines of transparent objects, into the target */
     TR_PASS_HIDDEN_LINES,      /* phantom lines where those are hidden, into the target */
     TR_PASS_OUTER_LINES,       /* wide outlines outside of everything, into the target */
+    TR_PASS_TAKE_OPAQUE,       /* full screen, before TR_PASS_OPAQUE: the same, from the host's textures */
     TR_PASS_KIND_COUNT
 } tr_pass_kind;
 
@@ -1100,7 +1107,7 @@ static const char *const tr_i_shader_frame_block_glsl[] = {
     "    highp vec4 tr_blend;    // rgb: stands for the background behind transparent surfaces; a: group distance\n"
     "    highp vec4 tr_enter;    // x: strength of the shade, y: its width, z: width of the curve, in pixels\n"
     "    highp vec4 tr_shift;    // xy: sub-pixel jitter in pixels\n"
-    "    highp ivec4 tr_step;    // x: the layer that this pass reads\n"
+    "    highp ivec4 tr_step;    // x: the layer that this pass reads; yz: where the viewport is in the host's opaque textures\n"
     "};\n"
     "\n"
     "// How far a window depth is from the eye, along the view direction.\n"
@@ -1608,6 +1615,47 @@ static const char *const tr_i_shader_surface_vertex_glsl[] = {
     "// Passes compare depths for equality: all programs that draw an object must compute the very same position.\n"
     "invariant gl_Position;\n",
     0};
+static const char *const tr_i_shader_take_opaque_frag[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// Opaque things from the host's textures. Of those the nearest alone can show, whatever the rule: where the limit hides it,\n"
+    "// it hides all behind it. The depth test against the limit decides; the far value, which is nearer than nothing, is\n"
+    "// background. What is outside of the textures, and NaN, too.\n"
+    "//\n"
+    "// TR_SUPERSAMPLE: the host's texel stands for that many of ours along each side.\n"
+    "// TR_SRGB: what is read is light; our textures hold display values, IEC 61966-2-1.\n"
+    "uniform highp sampler2D tr_scene_depth;  // the host's\n"
+    "uniform highp sampler2D tr_opaque_color; // the host's\n"
+    "layout(location = 0) out highp vec4 tr_color;\n"
+    "\n"
+    "#ifdef TR_REVERSED_Z\n"
+    "#define TR_IS_SOMETHING(depth) ((depth) > 0.0)\n"
+    "#else\n"
+    "#define TR_IS_SOMETHING(depth) ((depth) < 1.0)\n"
+    "#endif\n"
+    "\n"
+    "highp vec3 tr_display_of(highp vec3 light)\n"
+    "{\n"
+    "#if TR_SRGB\n"
+    "    light = clamp(light, 0.0, 1.0);\n"
+    "    return mix(12.92 * light, 1.055 * pow(light, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, light));\n"
+    "#else\n"
+    "    return light;\n"
+    "#endif\n"
+    "}\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    ivec2 texel = ivec2(gl_FragCoord.xy) / TR_SUPERSAMPLE + tr_step.yz;\n"
+    "    if (any(greaterThanEqual(texel, min(textureSize(tr_scene_depth, 0), textureSize(tr_opaque_color, 0)))))\n"
+    "        discard;\n"
+    "    highp float depth = texelFetch(tr_scene_depth, texel, 0).r;\n"
+    "    if (!TR_IS_SOMETHING(depth))\n"
+    "        discard;\n"
+    "    tr_color = vec4(tr_display_of(texelFetch(tr_opaque_color, texel, 0).rgb), 1.0);\n"
+    "    gl_FragDepth = depth;\n"
+    "}\n",
+    0};
 /* clang-format on */
 /* ==== end of generated shaders ==== */
 /* clang-format on */
@@ -1707,8 +1755,10 @@ static const char *const tr_i_shader_surface_vertex_glsl[] = {
 #define TR_I_GL_TEXTURE_2D_ARRAY 0x8C1Au
 #define TR_I_GL_TEXTURE_BINDING_2D 0x8069u
 #define TR_I_GL_TEXTURE_BINDING_2D_ARRAY 0x8C1Du
+#define TR_I_GL_TEXTURE_HEIGHT 0x1001u
 #define TR_I_GL_TEXTURE_MAG_FILTER 0x2800u
 #define TR_I_GL_TEXTURE_MIN_FILTER 0x2801u
+#define TR_I_GL_TEXTURE_WIDTH 0x1000u
 #define TR_I_GL_TEXTURE_WRAP_S 0x2802u
 #define TR_I_GL_TEXTURE_WRAP_T 0x2803u
 #define TR_I_GL_TRIANGLES 0x0004u
@@ -1788,6 +1838,7 @@ typedef const char *const *tr_i_strings;
     X(int32_t, GetUniformLocation, (tr_i_u, const char *))                                                             \
     X(unsigned char, IsEnabled, (tr_i_u))                                                                              \
     X(unsigned char, IsProgram, (tr_i_u))                                                                              \
+    X(unsigned char, IsTexture, (tr_i_u))                                                                              \
     X(void, LinkProgram, (tr_i_u))                                                                                     \
     X(void, PixelStorei, (tr_i_u, int32_t))                                                                            \
     X(void, ReadBuffer, (tr_i_u))                                                                                      \
@@ -1813,6 +1864,7 @@ typedef const char *const *tr_i_strings;
 #define TR_I_GL_DESKTOP(X)                                                                                             \
     X(void, DepthRange, (double, double))                                                                              \
     X(void, GetDoublev, (tr_i_u, double *))                                                                            \
+    X(void, GetTexLevelParameteriv, (tr_i_u, int32_t, tr_i_u, int32_t *))                                              \
     X(void, PolygonMode, (tr_i_u, tr_i_u))
 
 /* Desktop GL 3.3 and ES 3.2: masks and switches by draw buffer. */
@@ -2036,25 +2088,27 @@ TR_I_API const char *tr_result_string(tr_result result) {
 }
 
 TR_I_API const char *tr_pass_kind_name(tr_pass_kind kind) {
-    static const char *const names[] = {"front",        "peel",       "layer",
-                                        "limit",        "opaque",     "copy depth",
-                                        "opaque lines", "compose",    "transparent lines",
-                                        "hidden lines", "outer lines"};
+    static const char *const names[] = {"front",        "peel",        "layer",
+                                        "limit",        "opaque",      "copy depth",
+                                        "opaque lines", "compose",     "transparent lines",
+                                        "hidden lines", "outer lines", "take opaque"};
     return (unsigned)kind < (unsigned)TR_PASS_KIND_COUNT ? names[kind] : "unknown pass";
 }
 
 #define TR_I_MAX_ID 0xfffffeu
-#define TR_I_FLAGS (63u | TR_GROUP(TR_MAX_GROUP))
+#define TR_I_FLAGS (127u | TR_GROUP(TR_MAX_GROUP))
 
 /* What one object adds; members counts by group. */
 static void tr_i_count(tr_scene *counts, const tr_object *object, uint32_t *members) {
     uint32_t flags = object->flags, group = flags >> 8 & TR_MAX_GROUP, size;
     int transparent = (flags & TR_TRANSPARENT) != 0;
-    if ((flags & ~TR_I_FLAGS) || (transparent && object->id > TR_I_MAX_ID) ||
+    if ((flags & ~TR_I_FLAGS) || (transparent && (object->id > TR_I_MAX_ID || (flags & TR_DRAWN))) ||
         (flags & (TR_IMPLICIT | TR_EXPLICIT)) == (TR_IMPLICIT | TR_EXPLICIT))
         ++counts->invalid;
     if (!transparent) {
-        ++*(flags & TR_TWO_SIDED ? &counts->opaque_two_sided : &counts->opaque);
+        ++*(flags & TR_DRAWN       ? &counts->opaque_drawn
+            : flags & TR_TWO_SIDED ? &counts->opaque_two_sided
+                                   : &counts->opaque);
         return;
     }
     ++*(flags & TR_TWO_SIDED ? &counts->transparent_two_sided : &counts->transparent);
@@ -2252,6 +2306,7 @@ static uint32_t tr_i_draws(const tr_plan_pass *pass) {
         return 1u << TR_I_SCENE_DEPTH;
     case TR_PASS_OPAQUE:
     case TR_PASS_OPAQUE_LINES:
+    case TR_PASS_TAKE_OPAQUE:
         return (1u << TR_I_SCENE_DEPTH) | (1u << TR_I_OPAQUE_COLOR);
     case TR_PASS_COPY_DEPTH:
         return 1u << TR_I_DEPTH_COPY;
@@ -2330,7 +2385,7 @@ TR_I_API tr_result tr_plan_make(const tr_scene *counts, const tr_wishes *wishes,
         return TR_INVALID_ARGUMENT;
     memset(plan, 0, sizeof *plan);
     transparent = counts->transparent || counts->transparent_two_sided;
-    opaque = counts->opaque || counts->opaque_two_sided;
+    opaque = counts->opaque || counts->opaque_two_sided || counts->opaque_drawn;
     lines = wishes->lines & (TR_LINES_CREASES | TR_LINES_OUTLINES);
     /* Counts may be large enough to wrap when added; either being over one rules "alone" out. */
     alone = counts->transparent <= 1 && counts->transparent_two_sided <= 1 &&
@@ -2344,6 +2399,11 @@ TR_I_API tr_result tr_plan_make(const tr_scene *counts, const tr_wishes *wishes,
        published back faces hide front faces too. */
     if (transparent && (opaque || plan->interior == TR_INTERIOR_IMPLICIT_PUBLISHED))
         tr_i_add_limit(plan, counts, alone);
+    if (counts->opaque_drawn)
+        tr_i_add_pass(plan, TR_PASS_TAKE_OPAQUE,
+                      transparent
+                          ? "from the host's textures: the nearest surface, which alone can lie before the limit"
+                          : "from the host's textures");
     entering = transparent && (wishes->options & TR_WISH_ENTERING);
     tr_i_add_surfaces(plan, TR_PASS_OPAQUE, entering ? TR_RULE_OPAQUE_ENTERING : TR_RULE_OPAQUE, 0, counts->opaque,
                       counts->opaque_two_sided, TR_OPAQUE,
@@ -2868,8 +2928,15 @@ static void tr_i_host_source(tr_i_source *source, tr_stage stage, int rule, int 
     }
 }
 
-/* Variants of the composition and of lines. A key has a field for each thing that its text depends on. */
-enum { TR_I_COMPOSITION = 1, TR_I_LINE = 2, TR_I_INK_OUTLINES = 1, TR_I_LINE_HIDDEN = 1, TR_I_LINE_OUTER = 2 };
+/* Variants of the composition, of lines and of what takes opaque things. A key has a field for each thing that its text depends on. */
+enum {
+    TR_I_COMPOSITION = 1,
+    TR_I_LINE = 2,
+    TR_I_TAKE_OPAQUE = 3,
+    TR_I_INK_OUTLINES = 1,
+    TR_I_LINE_HIDDEN = 1,
+    TR_I_LINE_OUTER = 2
+};
 typedef struct tr_i_variant {
     uint32_t kind, supersample, srgb, has_scene;
     uint32_t layers, blending, has_opaque, groups, blend_color, published; /* compositions */
@@ -2903,7 +2970,7 @@ static tr_i_variant tr_i_variant_of(uint32_t key) {
 
 static void tr_i_variant_source(tr_i_source *source, tr_stage stage, uint32_t key) {
     tr_i_variant v = tr_i_variant_of(key);
-    if (v.kind == TR_I_COMPOSITION && stage == TR_VERTEX) {
+    if (v.kind != TR_I_LINE && stage == TR_VERTEX) {
         tr_i_add_chunks(source, tr_i_shader_fullscreen_vert);
         return;
     }
@@ -2917,6 +2984,10 @@ static void tr_i_variant_source(tr_i_source *source, tr_stage stage, uint32_t ke
         tr_i_add_define(source, "TR_ON_TARGET", v.on_target);
         tr_i_add_define(source, "TR_HAS_FRONT", v.has_front);
         tr_i_add_chunks(source, stage == TR_VERTEX ? tr_i_shader_line_vert : tr_i_shader_line_frag);
+        return;
+    }
+    if (v.kind == TR_I_TAKE_OPAQUE) {
+        tr_i_add_chunks(source, tr_i_shader_take_opaque_frag);
         return;
     }
     tr_i_add_define(source, "TR_LAYERS", v.layers);
@@ -3205,6 +3276,8 @@ static tr_result tr_i_detect(tr_context *tr) {
         missing = "glDepthRange";
     else if (!tr->es && !tr->gl.GetDoublev)
         missing = "glGetDoublev";
+    else if (!tr->es && !tr->gl.GetTexLevelParameteriv)
+        missing = "glGetTexLevelParameteriv";
     else if (!tr->es && !tr->gl.PolygonMode)
         missing = "glPolygonMode";
     if (missing)
@@ -3728,6 +3801,7 @@ static int tr_i_fbo_of(const tr_plan_pass *pass) {
         return TR_I_FBO_LIMIT;
     case TR_PASS_OPAQUE:
     case TR_PASS_OPAQUE_LINES:
+    case TR_PASS_TAKE_OPAQUE:
         return TR_I_FBO_OPAQUE;
     case TR_PASS_COPY_DEPTH:
         return TR_I_FBO_COPY;
@@ -4157,6 +4231,10 @@ static uint32_t tr_i_pass_key(const tr_context *tr, const tr_plan_pass *pass) {
     memset(&v, 0, sizeof v);
     v.supersample = (uint32_t)tr->plan.supersample;
     v.srgb = (wishes->options & TR_WISH_SRGB) != 0;
+    if (pass->kind == TR_PASS_TAKE_OPAQUE) {
+        v.kind = TR_I_TAKE_OPAQUE;
+        return tr_i_key_of(&v);
+    }
     v.has_scene = tr->plan.textures >> TR_I_SCENE_DEPTH & 1u;
     if (pass->lines) {
         tr_i_line_variant(tr, pass, &v);
@@ -4272,6 +4350,8 @@ static void tr_i_fill_block(const tr_frame *frame, int zero_to_one, int supersam
     block->viewport[1] = (float)frame->y;
     block->viewport[2] = (float)frame->width;
     block->viewport[3] = (float)frame->height;
+    block->step[1] = frame->opaque_x;
+    block->step[2] = frame->opaque_y;
     for (i = 0; i < 3; ++i) {
         block->ink[0][i] = frame->crease_color[i];
         block->ink[1][i] = frame->outline_color[i];
@@ -4377,6 +4457,60 @@ static tr_result tr_i_check_frame(const tr_context *tr, const tr_frame *frame) {
     return TR_OK;
 }
 
+/* ---- opaque things from the host's textures ---- */
+
+/* As a plan sees it: textures that are given hold something. */
+static tr_scene tr_i_scene_of(const tr_frame *frame) {
+    tr_scene counts = frame->scene;
+    if (frame->opaque_depth && !counts.opaque_drawn)
+        counts.opaque_drawn = 1;
+    return counts;
+}
+
+static tr_result tr_i_check_opaque(const tr_context *tr, const tr_frame *frame) {
+    if (!frame->opaque_color != !frame->opaque_depth)
+        return tr_i_fail(&tr->desc, TR_INVALID_ARGUMENT, "frame.opaque_color and frame.opaque_depth: both or neither");
+    if (frame->scene.opaque_drawn && !frame->opaque_depth)
+        return tr_i_fail(&tr->desc, TR_INVALID_ARGUMENT,
+                         "objects that are TR_DRAWN need frame.opaque_color and frame.opaque_depth");
+    if (frame->opaque_x < 0 || frame->opaque_y < 0)
+        return tr_i_fail(&tr->desc, TR_INVALID_ARGUMENT, "frame.opaque_x or frame.opaque_y is negative");
+    return TR_OK;
+}
+
+/* That a texture is what the pass can read, and covers the viewport; ES cannot be asked for sizes before 3.1. */
+static tr_result tr_i_check_opaque_texture(const tr_context *tr, tr_i_u texture, const char *wrong, const char *small) {
+    const tr_i_gl *gl = &tr->gl;
+    const tr_frame *frame = &tr->frame;
+    int32_t bound = 0, width = 0, height = 0;
+    /* Binding a name that is none would leave an error, or a texture, behind. */
+    if (!gl->IsTexture(texture))
+        return tr_i_fail(&tr->desc, TR_INVALID_ARGUMENT, wrong);
+    gl->ActiveTexture(TR_I_GL_TEXTURE0 + (tr_i_u)(tr->desc.first_texture_unit + TR_I_SCENE_DEPTH));
+    gl->BindTexture(TR_I_GL_TEXTURE_2D, texture);
+    gl->GetIntegerv(TR_I_GL_TEXTURE_BINDING_2D, &bound);
+    if ((tr_i_u)bound != texture)
+        return tr_i_fail(&tr->desc, TR_INVALID_ARGUMENT, wrong);
+    if (tr->es)
+        return TR_OK;
+    gl->GetTexLevelParameteriv(TR_I_GL_TEXTURE_2D, 0, TR_I_GL_TEXTURE_WIDTH, &width);
+    gl->GetTexLevelParameteriv(TR_I_GL_TEXTURE_2D, 0, TR_I_GL_TEXTURE_HEIGHT, &height);
+    if (frame->opaque_x > width - frame->width || frame->opaque_y > height - frame->height)
+        return tr_i_fail(&tr->desc, TR_INVALID_ARGUMENT, small);
+    return TR_OK;
+}
+
+static tr_result tr_i_check_opaque_textures(const tr_context *tr) {
+    tr_result result = TR_OK;
+    if (tr->frame.opaque_depth)
+        result = tr_i_check_opaque_texture(tr, tr->frame.opaque_color, "frame.opaque_color is no GL_TEXTURE_2D",
+                                           "frame.opaque_color is too small for the viewport");
+    if (tr->frame.opaque_depth && result == TR_OK)
+        result = tr_i_check_opaque_texture(tr, tr->frame.opaque_depth, "frame.opaque_depth is no GL_TEXTURE_2D",
+                                           "frame.opaque_depth is too small for the viewport");
+    return result;
+}
+
 /* A multisampled target is served by textures of our own with 2 by 2 texels a pixel, if they may be that large. */
 static void tr_i_suit_target(tr_context *tr, int multisampled) {
     if (!multisampled || tr->frame.wishes.supersample || tr->frame.width > tr->max_width / 2 ||
@@ -4389,15 +4523,19 @@ static void tr_i_suit_target(tr_context *tr, int multisampled) {
 TR_I_API tr_result tr_begin(tr_context *tr, const tr_frame *frame) {
     tr_i_block block;
     tr_result result;
+    tr_scene counts;
     int work, multisampled = 0, none;
     if (!tr || !frame)
         return TR_INVALID_ARGUMENT;
     if (tr->in_frame)
         return tr_i_fail(&tr->desc, TR_WRONG_ORDER, "tr_begin");
     result = tr_i_check_frame(tr, frame);
+    if (result == TR_OK)
+        result = tr_i_check_opaque(tr, frame);
     if (result != TR_OK)
         return result;
-    result = tr_plan_make(&frame->scene, &frame->wishes, &tr->plan);
+    counts = tr_i_scene_of(frame);
+    result = tr_plan_make(&counts, &frame->wishes, &tr->plan);
     if (result != TR_OK)
         return tr_i_fail(&tr->desc, result, "frame.wishes, or an id or group in frame.scene");
     if (frame->wishes.alpha == TR_ALPHA_IMAGE && tr->outline_pixel == 0.0f)
@@ -4408,12 +4546,15 @@ TR_I_API tr_result tr_begin(tr_context *tr, const tr_frame *frame) {
     if (frame->width == 0 || frame->height == 0)
         memset(&tr->plan, 0, sizeof tr->plan);
     tr->frame = *frame;
+    tr->frame.scene = counts;
     tr->next_pass = 0;
     if (tr->plan.pass_count > 0) {
         none = tr->desc.state == TR_STATE_NONE;
         if (!none) {
             tr_i_save(tr, &tr->saved);
             result = tr_i_check_target(tr, &multisampled);
+            if (result == TR_OK)
+                result = tr_i_check_opaque_textures(tr);
             tr_i_suit_target(tr, multisampled);
         }
         tr_i_fill_block(frame, tr->desc.zero_to_one, tr->plan.supersample, &block);
@@ -4508,6 +4649,10 @@ static void tr_i_fill_textures(const tr_context *tr, const tr_plan_pass *pass, t
     if ((pass->kind == TR_PASS_OPAQUE_LINES || pass->kind == TR_PASS_HIDDEN_LINES) &&
         (tr->plan.textures >> TR_I_DEPTH_COPY & 1u))
         state->textures[TR_I_SCENE_DEPTH] = tr->textures[TR_I_DEPTH_COPY];
+    if (pass->kind == TR_PASS_TAKE_OPAQUE) { /* the host's, on the units of those that are drawn */
+        state->textures[TR_I_SCENE_DEPTH] = tr->frame.opaque_depth;
+        state->textures[TR_I_OPAQUE_COLOR] = tr->frame.opaque_color;
+    }
 }
 
 static void tr_i_fill_bindings(const tr_context *tr, const tr_plan_pass *pass, tr_state *state) {
@@ -4530,7 +4675,7 @@ static void tr_i_fill_bindings(const tr_context *tr, const tr_plan_pass *pass, t
     state->uniform_offset = tr_i_step_of(pass, &tr->plan) * TR_I_STRIDE;
     state->uniform_size = (int)sizeof(tr_i_block);
     state->srgb = !own && (tr->frame.wishes.options & TR_WISH_SRGB);
-    if (pass->kind == TR_PASS_COPY_DEPTH || pass->kind == TR_PASS_COMPOSE) {
+    if (pass->kind == TR_PASS_COPY_DEPTH || pass->kind == TR_PASS_COMPOSE || pass->kind == TR_PASS_TAKE_OPAQUE) {
         state->vertex_array = tr->vertex_array;
         state->vertex_count = 3;
     }
@@ -4563,6 +4708,7 @@ static void tr_i_fill_tests(const tr_context *tr, const tr_plan_pass *pass, tr_s
         state->depth_func = TR_I_GL_ALWAYS;
         break;
     case TR_PASS_OPAQUE:
+    case TR_PASS_TAKE_OPAQUE:
         state->color_write = 1;
         break;
     case TR_PASS_COMPOSE:
@@ -4628,6 +4774,8 @@ TR_I_API int tr_next_pass(tr_context *tr, tr_pass *pass) {
 TR_I_API int tr_pass_draws(const tr_pass *pass, const tr_object *object) {
     uint32_t flags;
     if (!pass || !object)
+        return 0;
+    if (pass->kind == TR_PASS_OPAQUE && (object->flags & TR_DRAWN))
         return 0;
     flags = object->flags & (TR_TRANSPARENT | TR_TWO_SIDED);
     return (int)((pass->classes >> flags) & 1u);

@@ -12,7 +12,7 @@ layout(std140) uniform tr_frame
     highp vec4 tr_blend;    // rgb: stands for the background behind transparent surfaces; a: group distance
     highp vec4 tr_enter;    // x: strength of the shade, y: its width, z: width of the curve, in pixels
     highp vec4 tr_shift;    // xy: sub-pixel jitter in pixels
-    highp ivec4 tr_step;    // x: the layer that this pass reads
+    highp ivec4 tr_step;    // x: the layer that this pass reads; yz: where the viewport is in the host's opaque textures
 };
 
 // How far a window depth is from the eye, along the view direction.

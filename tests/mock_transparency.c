@@ -24,7 +24,8 @@ static struct {
     int fail_compile;     /* 1: shaders do not compile; 2: programs do not link */
     int lost_at;          /* this call and all after it do nothing, as when the context is lost; 0: none */
     int fail_framebuffer; /* the n-th check of completeness fails; 0: none */
-    uint32_t refused_framebuffer;
+    uint32_t refused_framebuffer, refused_texture, other_texture; /* other_texture: one that is not 2D */
+    int width, height;                                            /* of the host's textures */
     int framebuffer_checks, samples, max_texture_size;
     int live[6]; /* textures, framebuffers, buffers, vertex arrays, shaders, programs */
     uint32_t next_name;
@@ -103,7 +104,8 @@ FAKE(BindBufferRange, (U a, U b, U c, ptrdiff_t d, ptrdiff_t e), (void)a; (void)
 FAKE(BindFramebuffer, (U a, U b),
      if (a == 0x8CA9u && (b == 0 || b != driver.refused_framebuffer)) driver.bound_framebuffer = b;)
 FAKE(BindSampler, (U a, U b), (void)a; (void)b;)
-FAKE(BindTexture, (U a, U b), (void)a; driver.unit_textures[driver.active_unit & 31] = b;)
+FAKE(BindTexture, (U a, U b), (void)a;
+     if (b == 0 || b != driver.other_texture) driver.unit_textures[driver.active_unit & 31] = b;)
 FAKE(BindVertexArray, (U a), driver.vertex_array = a;)
 FAKE(BlendEquationSeparate, (U a, U b), (void)a; (void)b;)
 FAKE(BlendEquationSeparatei, (U a, U b, U c), (void)a; (void)b; (void)c;)
@@ -149,6 +151,7 @@ FAKE(GenVertexArrays, (I a, U *b), generate(ARRAYS, a, b);)
 FAKE(GetBooleanv, (U a, B *b), (void)a; memset(b, 1, 4);)
 FAKE(GetBooleani_v, (U a, U b, B *c), (void)a; (void)b; memset(c, 1, 4);)
 FAKE(GetFloatv, (U a, float *b), (void)a; b[0] = 0; b[1] = 1;)
+FAKE(GetTexLevelParameteriv, (U a, I b, U c, I *d), (void)a; (void)b; *d = c == 0x1000u ? driver.width : driver.height;)
 FAKE(GetInteger64i_v, (U a, U b, int64_t *c), (void)a; (void)b; *c = 0;)
 FAKE(GetIntegeri_v, (U a, U b, I *c), (void)a; (void)b; *c = 0;)
 FAKE(GetProgramInfoLog, (U a, I b, I *c, char *d), (void)a; (void)c; snprintf(d, (size_t)b, "link trouble");)
@@ -216,6 +219,9 @@ static void fake_GetIntegerv(U what, I *out) {
     case 0x84E0u:
         *out = 0x84C0 + driver.active_unit;
         break;
+    case 0x8069u: /* GL_TEXTURE_BINDING_2D */
+        *out = (I)driver.unit_textures[driver.active_unit & 31];
+        break;
     case 0x8B8Du:
         *out = (I)driver.program;
         break;
@@ -282,6 +288,11 @@ static B fake_IsEnabledi(U a, U b) {
     note("IsEnabledi");
     (void)a, (void)b;
     return 0;
+}
+
+static B fake_IsTexture(U a) {
+    note("IsTexture");
+    return a != driver.refused_texture && !lost();
 }
 
 static B fake_IsProgram(U a) {

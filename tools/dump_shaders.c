@@ -45,7 +45,7 @@ static const char *host_main(tr_stage stage) {
                               : "void main()\n{\n    tr_surface(vec4(0.5), 7u);\n}\n";
 }
 
-/* Compositions and lines: each switch in turn, on the plainest variant and on the fullest. */
+/* Compositions, lines and what takes opaque things: each switch in turn, on the plainest variant and on the fullest. */
 static bool dump_variants(const char *folder, int version, bool reversed, tr_stage stage) {
     static const tr_i_variant variants[] = {{TR_I_COMPOSITION, 1, 0, 1, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0},
                                             {TR_I_COMPOSITION, 1, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0},
@@ -59,7 +59,9 @@ static bool dump_variants(const char *folder, int version, bool reversed, tr_sta
                                             {TR_I_LINE, 2, 1, 1, 0, 0, 0, 0, 0, 0, 1, 0, 1, 1},
                                             {TR_I_LINE, 1, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 1, 1},
                                             {TR_I_LINE, 2, 1, 1, 0, 0, 0, 0, 0, 0, 1, 1, 1, 2},
-                                            {TR_I_LINE, 2, 0, 1, 0, 0, 0, 0, 0, 0, 1, 2, 1, 1}};
+                                            {TR_I_LINE, 2, 0, 1, 0, 0, 0, 0, 0, 0, 1, 2, 1, 1},
+                                            {TR_I_TAKE_OPAQUE, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0},
+                                            {TR_I_TAKE_OPAQUE, 2, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}};
     bool ok = true;
     for (size_t i = 0; ok && i < sizeof variants / sizeof variants[0]; ++i) {
         tr_i_source source;
