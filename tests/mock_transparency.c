@@ -1346,6 +1346,173 @@ static void test_alpha_in_frames(void **state) {
     assert_nothing_left();
 }
 
+/* ---- opaque things from the host's textures ---- */
+
+static tr_frame make_taken_frame(uint32_t opaque, uint32_t transparent) {
+    tr_frame frame = make_frame(opaque, transparent);
+    frame.scene.opaque_drawn = 3;
+    frame.opaque_color = 201;
+    frame.opaque_depth = 202;
+    driver.width = 64;
+    driver.height = 32;
+    return frame;
+}
+
+/* As many passes and bytes as by drawing again; the checks of two textures, and a triangle. */
+static void test_taking_opaque_things(void **state) {
+    static const char *const never[] = {"GenTextures",   "GenFramebuffers", "GenBuffers",    "TexImage2D",
+                                        "BufferSubData", "CompileShader",   "DeleteTextures"};
+    (void)state;
+    for (int policy = 0; policy < 4; ++policy) {
+        tr_desc desc = make_desc((tr_state_policy)policy);
+        reset_driver();
+        tr_frame drawn = make_frame(3, 4), taken = make_taken_frame(0, 4);
+        tr_context *tr = tr_create(&desc, NULL);
+        run_frame(tr, &drawn);
+        int first = driver.call_count;
+        run_frame(tr, &drawn);
+        int calls = driver.call_count - first;
+        uint32_t bytes = tr_get_info(tr).plan->bytes_per_pixel;
+        run_frame(tr, &taken);
+        first = driver.call_count;
+        run_frame(tr, &taken);
+        int none = policy == TR_STATE_NONE;
+        assert_int_equal(driver.call_count - first, none ? 0 : calls + 12 + 4);
+        assert_int_equal(called_since(first, "GetTexLevelParameteriv"), none ? 0 : 4);
+        assert_int_equal(tr_get_info(tr).plan->bytes_per_pixel, bytes);
+        for (size_t i = 0; i < sizeof never / sizeof never[0]; ++i)
+            assert_int_equal(called_since(first, never[i]), 0);
+        tr_destroy(tr);
+        assert_nothing_left();
+    }
+}
+
+/* The pass as data: what it reads and draws; it comes before opaque objects, which clear nothing, and no later pass has
+ * the host's textures. */
+static void test_state_of_taking(void **state) {
+    tr_pass pass;
+    (void)state;
+    for (int both = 0; both < 2; ++both) {
+        tr_desc desc = make_desc(TR_STATE_NONE);
+        int kinds[TR_PASS_KIND_COUNT] = {0};
+        reset_driver();
+        tr_frame frame = make_taken_frame(both ? 2 : 0, 0);
+        tr_context *tr = tr_create(&desc, NULL);
+        assert_int_equal(tr_begin(tr, &frame), TR_OK);
+        while (tr_next_pass(tr, &pass)) {
+            bool takes = pass.kind == TR_PASS_TAKE_OPAQUE;
+            ++kinds[pass.kind];
+            assert_int_equal(pass.state.textures[TR_I_SCENE_DEPTH] == 202, takes);
+            assert_int_equal(pass.state.textures[TR_I_OPAQUE_COLOR] == 201, takes);
+            if (takes) {
+                assert_int_equal(kinds[TR_PASS_OPAQUE], 0);
+                assert_int_equal(pass.state.vertex_count, 3);
+                assert_int_equal(pass.state.framebuffer, tr->fbos[TR_I_FBO_OPAQUE]);
+                assert_int_equal(pass.state.depth_func, TR_I_GL_LESS);
+                assert_true(pass.state.depth_test && pass.state.depth_write && pass.state.color_write);
+            }
+            if (takes || pass.kind == TR_PASS_OPAQUE)
+                assert_true(pass.state.clear_color == takes && pass.state.clear_depth == takes);
+        }
+        assert_int_equal(tr_end(tr), TR_OK);
+        assert_int_equal(kinds[TR_PASS_TAKE_OPAQUE], 1);
+        assert_int_equal(kinds[TR_PASS_OPAQUE], both);
+        assert_int_equal(kinds[TR_PASS_OPAQUE_LINES], 2);
+        tr_destroy(tr);
+        assert_nothing_left();
+    }
+}
+
+static void test_plans_that_take(void **state) {
+    tr_object objects[] = {{1, TR_DRAWN}, {2, TR_DRAWN | TR_TWO_SIDED}, {3, TR_OPAQUE}};
+    tr_wishes wishes = {0};
+    tr_plan plan;
+    tr_pass pass;
+    char text[2048];
+    (void)state;
+    tr_scene counts = tr_scene_count(objects, 3, sizeof objects[0]);
+    assert_true(counts.opaque_drawn == 2 && counts.opaque == 1 && counts.opaque_two_sided == 0 && !counts.invalid);
+    counts.transparent = 2;
+    assert_int_equal(tr_plan_make(&counts, &wishes, &plan), TR_OK);
+    assert_int_equal(count_kind(&plan, TR_PASS_LIMIT), 1);
+    tr_plan_print(&plan, text, sizeof text);
+    assert_non_null(strstr(text, "take opaque: from the host's textures"));
+    memset(&pass, 0, sizeof pass);
+    pass.classes = TR_I_ALL_OPAQUE;
+    pass.kind = TR_PASS_OPAQUE;
+    assert_true(!tr_pass_draws(&pass, &objects[0]) && !tr_pass_draws(&pass, &objects[1]));
+    assert_true(tr_pass_draws(&pass, &objects[2]));
+    pass.kind = TR_PASS_OPAQUE_LINES; /* textures have none */
+    assert_true(tr_pass_draws(&pass, &objects[0]) && tr_pass_draws(&pass, &objects[1]));
+}
+
+/* Textures alone are enough: a host need not know its opaque objects one by one. */
+static void test_textures_count_as_something(void **state) {
+    tr_desc desc = make_desc(TR_STATE_RESTORE);
+    (void)state;
+    reset_driver();
+    tr_frame frame = make_taken_frame(0, 1);
+    frame.scene.opaque_drawn = 0;
+    tr_context *tr = tr_create(&desc, NULL);
+    run_frame(tr, &frame);
+    assert_int_equal(count_kind(tr_get_info(tr).plan, TR_PASS_TAKE_OPAQUE), 1);
+    driver.samples = 4; /* planned anew */
+    run_frame(tr, &frame);
+    assert_int_equal(tr_get_info(tr).plan->supersample, 2);
+    assert_int_equal(count_kind(tr_get_info(tr).plan, TR_PASS_TAKE_OPAQUE), 1);
+    tr_destroy(tr);
+    assert_nothing_left();
+}
+
+static void test_wrong_opaque_textures_are_named(void **state) {
+    static const struct {
+        uint32_t color, depth, refused, other;
+        int x, y, width, height;
+        const char *text;
+    } cases[] = {
+        {0, 202, 0, 0, 0, 0, 64, 32, "both or neither"},
+        {201, 0, 0, 0, 0, 0, 64, 32, "both or neither"},
+        {0, 0, 0, 0, 0, 0, 64, 32, "TR_DRAWN"},
+        {201, 202, 0, 0, -1, 0, 64, 32, "opaque_x or frame.opaque_y is negative"},
+        {201, 202, 0, 0, 0, -1, 64, 32, "opaque_x or frame.opaque_y is negative"},
+        {201, 202, 201, 0, 0, 0, 64, 32, "opaque_color is no GL_TEXTURE_2D"},
+        {201, 202, 202, 0, 0, 0, 64, 32, "opaque_depth is no GL_TEXTURE_2D"},
+        {201, 202, 0, 201, 0, 0, 64, 32, "opaque_color is no GL_TEXTURE_2D"},
+        {201, 202, 0, 202, 0, 0, 64, 32, "opaque_depth is no GL_TEXTURE_2D"},
+        {201, 202, 0, 0, 0, 0, 63, 32, "opaque_color is too small"},
+        {201, 202, 0, 0, 0, 0, 64, 31, "opaque_color is too small"},
+        {201, 202, 0, 0, 2147483647, 0, 64, 32, "opaque_color is too small"},
+        {201, 202, 0, 0, 1, 3, 65, 34, "opaque_color is too small"},
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
+        tr_desc desc = make_desc(TR_STATE_RESTORE);
+        reset_driver();
+        tr_frame frame = make_taken_frame(0, 2), good = frame;
+        tr_context *tr = tr_create(&desc, NULL);
+        run_frame(tr, &good);
+        frame.opaque_color = cases[i].color;
+        frame.opaque_depth = cases[i].depth;
+        frame.opaque_x = cases[i].x;
+        frame.opaque_y = cases[i].y;
+        driver.refused_texture = cases[i].refused;
+        driver.other_texture = cases[i].other;
+        driver.width = cases[i].width;
+        driver.height = cases[i].height;
+        assert_int_equal(tr_begin(tr, &frame), TR_INVALID_ARGUMENT);
+        if (!strstr(driver.text, cases[i].text))
+            fail_msg("case %d: no \"%s\" in: %s", (int)i, cases[i].text, driver.text);
+        for (int unit = 0; unit < 32; ++unit) /* as before */
+            assert_int_equal(driver.unit_textures[unit], 0);
+        driver.refused_texture = driver.other_texture = 0;
+        driver.width = 64;
+        driver.height = 32;
+        run_frame(tr, &good);
+        tr_destroy(tr);
+        assert_nothing_left();
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_each_missing_function_is_named),
@@ -1374,6 +1541,11 @@ int main(void) {
         cmocka_unit_test(test_plan_prints_like_snprintf),
         cmocka_unit_test(test_objects_and_passes),
         cmocka_unit_test(test_alpha_in_frames),
+        cmocka_unit_test(test_taking_opaque_things),
+        cmocka_unit_test(test_state_of_taking),
+        cmocka_unit_test(test_plans_that_take),
+        cmocka_unit_test(test_textures_count_as_something),
+        cmocka_unit_test(test_wrong_opaque_textures_are_named),
         cmocka_unit_test(test_view_alpha),
         cmocka_unit_test(test_strings),
     };
