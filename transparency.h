@@ -128,7 +128,13 @@
      its material. Your own opaque shader calls color = tr_strengthen(color, position, range) before tr_surface.
    - View-dependent alpha: attribute 2 holds each vertex's distance to the nearest silhouette (sil_distances),
      material.d_max the largest (sil_max_distance). Where that shows bands or seams: the next section.
-   - Existing depth: the picture is drawn into the target depth tested, so what the host drew before hides it.
+   - Existing depth: the picture is drawn into the target depth tested, so what the host drew there before hides it. Opaque
+     things that are to be seen through glass, and hidden by it, must not be in the target: all of it is background. If
+     they are in textures already, frame.opaque_color and opaque_depth take them from there, by one full-screen pass, in
+     place of drawing them again; the nearest opaque surface is all that any rule asks for. Objects that are listed and
+     lie in the textures are TR_DRAWN; others are drawn as ever. The textures: drawn with the frame's projection, jitter
+     and depth convention, into depths from 0 to 1; the far value is background, and so is what lies outside of them.
+     Hodges' first rule wants shading object by object and leaves them as they are. See docs/transparency.md.
    - Newer GLSL: the first string of tr_glsl() is the line of #version and nothing else; a host's newer one may stand in
      its place. A vertex shader that declares gl_Position invariant itself needs none of the vertex stage's strings.
    - Caches of GL state: with TR_STATE_RESTORE what a host believed before tr_begin is true again after tr_end, but for
@@ -4473,8 +4479,9 @@ static tr_result tr_i_check_opaque(const tr_context *tr, const tr_frame *frame) 
     if (frame->scene.opaque_drawn && !frame->opaque_depth)
         return tr_i_fail(&tr->desc, TR_INVALID_ARGUMENT,
                          "objects that are TR_DRAWN need frame.opaque_color and frame.opaque_depth");
-    if (frame->opaque_x < 0 || frame->opaque_y < 0)
-        return tr_i_fail(&tr->desc, TR_INVALID_ARGUMENT, "frame.opaque_x or frame.opaque_y is negative");
+    if (frame->opaque_x < 0 || frame->opaque_y < 0 || frame->opaque_x > tr->max_texture ||
+        frame->opaque_y > tr->max_texture)
+        return tr_i_fail(&tr->desc, TR_INVALID_ARGUMENT, "frame.opaque_x or frame.opaque_y is in no texture");
     return TR_OK;
 }
 

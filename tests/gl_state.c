@@ -653,11 +653,32 @@ static void draw_from_data(harness *h, const tr_frame *frame) {
     assert_int_equal(tr_end(h->tr), TR_OK);
 }
 
+/* Opaque things in textures: what they show does not matter, as long as some of it is hidden. */
+static void give_textures(tr_frame *frame, GLuint textures[2]) {
+    static unsigned char colors[64 * 64][4];
+    static float depths[64 * 64];
+    for (int i = 0; i < 64 * 64; ++i) {
+        colors[i][0] = (unsigned char)i;
+        depths[i] = (float)(i % 11) / 10;
+    }
+    glGenTextures(2, textures);
+    for (int i = 0; i < 2; ++i) {
+        glBindTexture(GL_TEXTURE_2D, textures[i]);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+        glTexImage2D(GL_TEXTURE_2D, 0, i ? GL_DEPTH_COMPONENT32F : GL_RGBA8, 64, 64, 0,
+                     i ? GL_DEPTH_COMPONENT : GL_RGBA, i ? GL_FLOAT : GL_UNSIGNED_BYTE,
+                     i ? (const void *)depths : (const void *)colors);
+    }
+    glBindTexture(GL_TEXTURE_2D, 0);
+    frame->opaque_color = textures[0];
+    frame->opaque_depth = textures[1];
+}
+
 /* All four policies give the very same picture; with STATE_NONE the host applies what the passes carry. */
-static void test_policies_draw_the_same(void **state) {
+static void check_policies(bool given) {
     static const double grey[3] = {0.5, 0.5, 0.5};
     static unsigned char pictures[4][64 * 64 * 4];
-    (void)state;
     is_es = false;
     version = 450;
     for (int policy = 0; policy < 4; ++policy) {
@@ -669,17 +690,32 @@ static void test_policies_draw_the_same(void **state) {
         harness_target(&h, 64, 64);
         harness_clear(&h, grey, 1.0f);
         tr_frame frame = harness_frame(&h, &box_scene, boxes, 3);
-        if (policy == TR_STATE_NONE)
+        GLuint textures[2] = {0, 0};
+        if (given)
+            give_textures(&frame, textures);
+        if (policy == TR_STATE_NONE) {
             draw_from_data(&h, &frame);
-        else
+        } else {
+            snapshot before = take_snapshot();
             run_frame(&h, &frame);
+            snapshot after = take_snapshot();
+            if (policy == TR_STATE_RESTORE)
+                compare_snapshots(&before, &after);
+        }
         plain_state();
+        glDeleteTextures(2, textures);
         read_picture(&h, pictures[policy]);
         assert_memory_equal(pictures[0], pictures[policy], sizeof pictures[0]);
         for (int i = 0; i < 3; ++i)
             harness_drop_object(&boxes[i]);
         harness_close(&h);
     }
+}
+
+static void test_policies_draw_the_same(void **state) {
+    (void)state;
+    check_policies(false);
+    check_policies(true);
 }
 
 /* A host that applies state itself leaves the last frame's textures bound, and a frame of another size deletes them:
