@@ -93,8 +93,8 @@
    Not touched, and expected to be at rest: conditional rendering, transform feedback, clip control's origin, sample
    shading, smooth polygons, what only compatibility contexts have. Clip distances are switched off in each pass; a host whose shaders write them switches them on again after
    tr_next_pass. Under TR_STATE_NONE, tr_begin may still bind and restore when something is created or changed, and does
-   not look at the target: that it is complete is the host's to see to, and wishes.supersample. tr_state then lists what
-   differs from pass to pass; all else is to be as in a fresh context, dither off.
+   not look at the target or the host's textures: that they are right is the host's to see to, and wishes.supersample.
+   tr_state then lists what differs from pass to pass; all else is to be as in a fresh context, dither off.
    The alpha channel of the target is not written. Of a target with several draw buffers the first is drawn into, the
    others are masked off; ES before 3.2 and WebGL 2 have no such mask: give them a framebuffer with one draw buffer.
    With desc.max_gl_version below 4.0 on a newer context the blend functions of further draw buffers are not kept.
@@ -164,7 +164,8 @@
    LIMITS AND PRECISION
    - Depths are 32-bit floats; transparent layers are told apart down to one unit in the last place. Opaque things are
      depth tested against them by fixed function: where an opaque surface and the front-most transparent one have the
-     same depth the opaque one is seen through the other, if the driver's depth test and its gl_FragCoord.z agree.
+     same depth the opaque one is seen through the other, if the driver's depth test and its gl_FragCoord.z agree. Those of
+     frame.opaque_depth are compared as its format has rounded them: within half a step either may be the nearer.
    - Where two opaque surfaces have the same depth, the one drawn first is seen, as with any depth test.
    - Layers and members of groups: at most TR_MAX_LAYERS a pixel. With TR_BLENDING_PUBLISHED and several layers the sum is
      clamped layer by layer, but for the background's part, which the target's format clamps once.
@@ -4486,7 +4487,8 @@ static tr_result tr_i_check_opaque(const tr_context *tr, const tr_frame *frame) 
 }
 
 /* That a texture is what the pass can read, and covers the viewport; ES cannot be asked for sizes before 3.1. */
-static tr_result tr_i_check_opaque_texture(const tr_context *tr, tr_i_u texture, const char *wrong, const char *small) {
+static tr_result tr_i_check_opaque_texture(const tr_context *tr, tr_i_u texture, const char *wrong,
+                                           const char *misfit) {
     const tr_i_gl *gl = &tr->gl;
     const tr_frame *frame = &tr->frame;
     int32_t bound = 0, width = 0, height = 0;
@@ -4503,7 +4505,7 @@ static tr_result tr_i_check_opaque_texture(const tr_context *tr, tr_i_u texture,
     gl->GetTexLevelParameteriv(TR_I_GL_TEXTURE_2D, 0, TR_I_GL_TEXTURE_WIDTH, &width);
     gl->GetTexLevelParameteriv(TR_I_GL_TEXTURE_2D, 0, TR_I_GL_TEXTURE_HEIGHT, &height);
     if (frame->opaque_x > width - frame->width || frame->opaque_y > height - frame->height)
-        return tr_i_fail(&tr->desc, TR_INVALID_ARGUMENT, small);
+        return tr_i_fail(&tr->desc, TR_INVALID_ARGUMENT, misfit);
     return TR_OK;
 }
 
