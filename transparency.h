@@ -4486,7 +4486,7 @@ static tr_result tr_i_check_opaque(const tr_context *tr, const tr_frame *frame) 
     return TR_OK;
 }
 
-/* That a texture is what the pass can read, and covers the viewport; ES cannot be asked for sizes before 3.1. */
+/* That a texture is what the pass can read, and covers the viewport; ES 3.0 cannot be asked for sizes, so no ES is. */
 static tr_result tr_i_check_opaque_texture(const tr_context *tr, tr_i_u texture, const char *wrong,
                                            const char *misfit) {
     const tr_i_gl *gl = &tr->gl;
