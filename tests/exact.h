@@ -84,7 +84,8 @@ static inline int true_sign(const float *a, const float *b, const float *c, cons
     expansion u[3], v[3], g[3], minor, det;
     long double d = 0, size = 0;
     int k;
-    for (k = 0; k < 3; ++k) { /* by long double where that is beyond doubt */
+    /* By long double where that is beyond doubt, even if it is no longer than double, as under valgrind. */
+    for (k = 0; k < 3; ++k) {
         const int i = (k + 1) % 3, j = (k + 2) % 3;
         const long double w = (long double)eye[3] * (long double)a[k], e = (long double)eye[k];
         const long double p = ((long double)b[i] - (long double)a[i]) * ((long double)c[j] - (long double)a[j]);
@@ -92,7 +93,7 @@ static inline int true_sign(const float *a, const float *b, const float *c, cons
         d += (p - q) * (e - w);
         size += (fabsl(p) + fabsl(q)) * (fabsl(e) + fabsl(w));
     }
-    if (fabsl(d) > 1e-17L * size)
+    if (fabsl(d) > 1e-14L * size)
         return d > 0 ? 1 : -1;
     ++*exact;
     for (k = 0; k < 3; ++k) {
