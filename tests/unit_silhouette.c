@@ -13,188 +13,7 @@
 
 #include <cmocka.h>
 
-/* ---- random numbers: the same everywhere ---- */
-
-static uint64_t random_state = 88172645463325252u;
-
-static uint32_t random_bits(void) {
-    random_state ^= random_state << 13;
-    random_state ^= random_state >> 7;
-    random_state ^= random_state << 17;
-    return (uint32_t)(random_state >> 32);
-}
-
-static double random_in(double low, double high) {
-    return low + (high - low) * ((double)random_bits() / 4294967296.0);
-}
-
-static uint32_t random_below(size_t limit) {
-    return (uint32_t)(random_bits() % limit);
-}
-
-/* ---- meshes from formulas ---- */
-
-typedef struct shape {
-    float *positions;
-    uint32_t *indices;
-    size_t vertex_count, index_count;
-} shape;
-
-static shape shape_new(size_t vertices, size_t triangles) {
-    shape s;
-    s.positions = (float *)calloc(3 * vertices + 1, sizeof(float));
-    s.indices = (uint32_t *)calloc(3 * triangles + 1, sizeof(uint32_t));
-    s.vertex_count = s.index_count = 0;
-    assert_non_null(s.positions);
-    assert_non_null(s.indices);
-    return s;
-}
-
-static void shape_free(shape *s) {
-    free(s->positions);
-    free(s->indices);
-}
-
-static uint32_t add_vertex(shape *s, double x, double y, double z) {
-    float *p = s->positions + 3 * s->vertex_count;
-    p[0] = (float)x;
-    p[1] = (float)y;
-    p[2] = (float)z;
-    return (uint32_t)s->vertex_count++;
-}
-
-static void add_face(shape *s, uint32_t a, uint32_t b, uint32_t c) {
-    s->indices[s->index_count++] = a;
-    s->indices[s->index_count++] = b;
-    s->indices[s->index_count++] = c;
-}
-
-/* A box [0,n]^3 of n * n quads a side, each side with vertices of its own: welding has to join them. */
-static shape make_box(int n) {
-    shape s = shape_new((size_t)(6 * (n + 1) * (n + 1)), (size_t)(12 * n * n));
-    int side, i, j;
-    for (side = 0; side < 6; ++side) {
-        const uint32_t first = (uint32_t)s.vertex_count, row = (uint32_t)(n + 1);
-        const int axis = side / 2, up = side % 2;
-        for (i = 0; i <= n; ++i)
-            for (j = 0; j <= n; ++j) {
-                double p[3];
-                p[axis] = up ? n : 0;
-                p[(axis + 1) % 3] = i;
-                p[(axis + 2) % 3] = j;
-                add_vertex(&s, p[0], p[1], p[2]);
-            }
-        for (i = 0; i < n; ++i)
-            for (j = 0; j < n; ++j) {
-                const uint32_t a = first + (uint32_t)i * row + (uint32_t)j, b = a + row, c = b + 1, d = a + 1;
-                add_face(&s, a, up ? b : c, up ? c : b);
-                add_face(&s, a, up ? c : d, up ? d : c);
-            }
-    }
-    return s;
-}
-
-static shape make_cylinder(int n) {
-    shape s = shape_new((size_t)(2 * n + 2), (size_t)(4 * n));
-    uint32_t i, low, high;
-    for (i = 0; i < (uint32_t)n; ++i) {
-        const double angle = 2 * 3.14159265358979323846 * i / n;
-        add_vertex(&s, cos(angle), sin(angle), 0);
-        add_vertex(&s, cos(angle), sin(angle), 1);
-    }
-    low = add_vertex(&s, 0, 0, 0);
-    high = add_vertex(&s, 0, 0, 1);
-    for (i = 0; i < (uint32_t)n; ++i) {
-        const uint32_t a = 2 * i, b = 2 * ((i + 1) % (uint32_t)n);
-        add_face(&s, a, b, b + 1);
-        add_face(&s, a, b + 1, a + 1);
-        add_face(&s, low, b, a);
-        add_face(&s, high, a + 1, b + 1);
-    }
-    return s;
-}
-
-/* A torus around the z axis; `noise` moves vertices, `grid` > 0 rounds them to multiples of 1 / grid. */
-static shape make_torus(int rings, int sides, double noise, double grid) {
-    shape s = shape_new((size_t)(rings * sides), (size_t)(2 * rings * sides));
-    int i, j;
-    for (i = 0; i < rings; ++i)
-        for (j = 0; j < sides; ++j) {
-            const double u = 2 * 3.14159265358979323846 * i / rings, v = 2 * 3.14159265358979323846 * j / sides;
-            double p[3];
-            int k;
-            p[0] = (1 + 0.4 * cos(v)) * cos(u) + random_in(-noise, noise);
-            p[1] = (1 + 0.4 * cos(v)) * sin(u) + random_in(-noise, noise);
-            p[2] = 0.4 * sin(v) + random_in(-noise, noise);
-            for (k = 0; k < 3 && grid > 0; ++k)
-                p[k] = floor(p[k] * grid + 0.5) / grid;
-            add_vertex(&s, p[0], p[1], p[2]);
-        }
-    for (i = 0; i < rings; ++i)
-        for (j = 0; j < sides; ++j) {
-            const uint32_t a = (uint32_t)(i * sides + j), b = (uint32_t)((i + 1) % rings * sides + j);
-            const uint32_t c = (uint32_t)((i + 1) % rings * sides + (j + 1) % sides);
-            const uint32_t d = (uint32_t)(i * sides + (j + 1) % sides);
-            add_face(&s, a, b, c);
-            add_face(&s, a, c, d);
-        }
-    return s;
-}
-
-/* An open n * n grid of quads in the plane z = height(x, y) = 0. */
-static shape make_sheet(int n) {
-    shape s = shape_new((size_t)((n + 1) * (n + 1)), (size_t)(2 * n * n));
-    int i, j;
-    for (i = 0; i <= n; ++i)
-        for (j = 0; j <= n; ++j)
-            add_vertex(&s, i, j, 0);
-    for (i = 0; i < n; ++i)
-        for (j = 0; j < n; ++j) {
-            const uint32_t a = (uint32_t)(i * (n + 1) + j), b = a + (uint32_t)n + 1, c = b + 1, d = a + 1;
-            add_face(&s, a, b, c);
-            add_face(&s, a, c, d);
-        }
-    return s;
-}
-
-static sil_mesh_desc desc_of(const shape *s) {
-    sil_mesh_desc desc;
-    memset(&desc, 0, sizeof desc);
-    desc.positions = s->positions;
-    desc.vertex_count = s->vertex_count;
-    desc.indices = s->indices;
-    desc.index_count = s->index_count;
-    return desc;
-}
-
-static sil_mesh *mesh_of(const shape *s) {
-    const sil_mesh_desc desc = desc_of(s);
-    sil_result result = SIL_RESULT_COUNT;
-    sil_mesh *mesh = sil_mesh_create(&desc, &result);
-    assert_int_equal(result, SIL_OK);
-    assert_non_null(mesh);
-    return mesh;
-}
-
-static sil_view view_at(double x, double y, double z, double w) {
-    sil_view view;
-    view.eye[0] = x;
-    view.eye[1] = y;
-    view.eye[2] = z;
-    view.eye[3] = w;
-    return view;
-}
-
-/* All edges of the kinds, in memory the caller frees. Without a pose they must be the same. */
-static sil_edge *extract_all(const sil_mesh *mesh, sil_pose *pose, const sil_view *view, unsigned kinds,
-                             size_t *count) {
-    sil_edge *edges;
-    *count = sil_extract(mesh, pose, view, kinds, NULL, 0);
-    edges = (sil_edge *)malloc((*count + 1) * sizeof *edges);
-    assert_non_null(edges);
-    assert_int_equal(sil_extract(mesh, pose, view, kinds, edges, *count), *count);
-    return edges;
-}
+#include "shapes.h"
 
 static size_t count_of(const sil_mesh *mesh, double x, double y, double z, double w, unsigned kinds) {
     const sil_view view = view_at(x, y, z, w);
@@ -458,7 +277,7 @@ static void test_signs_stages(void **state) {
 }
 
 static void test_eye_rounding(void **state) {
-    const shape s = make_box(2);
+    const shape s = make_box(2, 2, 2);
     sil_mesh *mesh = mesh_of(&s);
     const size_t seen = count_of(mesh, 0, 0, 1, 0, SIL_SILHOUETTE);
     const double small = ldexp(1, -400), nan_value = (double)NAN, infinite = (double)INFINITY;
@@ -565,18 +384,6 @@ static void check_even_degrees(const sil_edge *edges, size_t count, size_t verti
     free(odd);
 }
 
-static void check_same_edges(const sil_edge *a, const sil_edge *b, size_t count) {
-    size_t i;
-    for (i = 0; i < count; ++i) {
-        assert_int_equal(a[i].edge, b[i].edge);
-        assert_int_equal(a[i].kinds, b[i].kinds);
-        assert_int_equal(a[i].a, b[i].a);
-        assert_int_equal(a[i].b, b[i].b);
-        assert_int_equal(a[i].face[0], b[i].face[0]);
-        assert_int_equal(a[i].face[1], b[i].face[1]);
-    }
-}
-
 static int compare_ends(const void *a, const void *b) {
     const sil_edge *x = (const sil_edge *)a, *y = (const sil_edge *)b;
     side p, q;
@@ -656,8 +463,8 @@ static void test_loops_closed(void **state) {
     int m, round;
     (void)state;
     shapes[0] = make_torus(20, 12, 0.1, 0);
-    shapes[1] = make_box(6);
-    shapes[2] = make_cylinder(33);
+    shapes[1] = make_box(6, 6, 6);
+    shapes[2] = make_cylinder(33, 1, 1);
     for (m = 0; m < 3; ++m) {
         sil_mesh *mesh = mesh_of(&shapes[m]);
         sil_pose *pose = sil_pose_create(mesh, NULL);
@@ -685,7 +492,7 @@ static void test_loops_closed(void **state) {
 /* Box and cylinder seen along their axes: 40 and 64 edges, where the papers' rules give 0 or 80 and 128. */
 static void test_published_figures(void **state) {
     const double along_z[4] = {0, 0, 1, 0};
-    shape box = make_box(10), cylinder = make_cylinder(64), welded;
+    shape box = make_box(10, 10, 10), cylinder = make_cylinder(64, 1, 1), welded;
     sil_mesh *mesh;
     size_t i, j;
     (void)state;
@@ -694,7 +501,7 @@ static void test_published_figures(void **state) {
     assert_int_equal(count_of(mesh, 0, 0, 1, 0, SIL_SILHOUETTE), 40);
     sil_mesh_destroy(mesh);
     /* The rules on the same box, its vertices joined here by comparing all with all. */
-    welded = shape_new(box.vertex_count, box.index_count / 3);
+    welded = shape_with_room(box.vertex_count, box.index_count / 3);
     for (i = 0; i < box.index_count; ++i) {
         for (j = 0; memcmp(box.positions + 3 * j, box.positions + 3 * box.indices[i], 12) != 0; ++j)
             ;
@@ -715,7 +522,7 @@ static void test_published_figures(void **state) {
 
 /* Shuffled faces with rotated corners: the same edges, the faces renamed. */
 static void test_order_does_not_matter(void **state) {
-    shape plain = make_torus(12, 7, 0.1, 16), shuffled = shape_new(plain.vertex_count, plain.index_count / 3 + 2);
+    shape plain = make_torus(12, 7, 0.1, 16), shuffled = shape_with_room(plain.vertex_count, plain.index_count / 3 + 2);
     const size_t faces = plain.index_count / 3;
     uint32_t *order = (uint32_t *)malloc((faces + 2) * sizeof *order);
     sil_mesh *first, *second;
@@ -765,7 +572,7 @@ static void test_order_does_not_matter(void **state) {
 /* ---- dirty meshes ---- */
 
 static void test_welding(void **state) {
-    shape box = make_box(1), sheet;
+    shape box = make_box(1, 1, 1), sheet;
     sil_mesh_desc desc = desc_of(&box);
     sil_mesh *mesh = mesh_of(&box);
     sil_mesh_info info = sil_mesh_get_info(mesh);
@@ -808,7 +615,7 @@ static void test_welding(void **state) {
     mesh = sil_mesh_create(&desc, NULL);
     assert_int_equal(sil_mesh_get_info(mesh).unique_vertex_count, 4);
     sil_mesh_destroy(mesh);
-    sheet = make_sheet(4); /* all within the distance of the first: every face collapses */
+    sheet = make_sheet(4, 4); /* all within the distance of the first: every face collapses */
     desc = desc_of(&sheet);
     desc.weld_distance = 10;
     mesh = sil_mesh_create(&desc, NULL);
@@ -874,7 +681,7 @@ static void count_message(int level, int code, const char *text, void *user) {
 }
 
 static void test_bad_vertices_and_indices(void **state) {
-    shape sheet = make_sheet(3);
+    shape sheet = make_sheet(3, 3);
     message_count messages = {0, 0, 0};
     sil_mesh_desc desc = desc_of(&sheet);
     sil_result result;
@@ -951,8 +758,9 @@ static void test_empty_mesh(void **state) {
 
 /* Every face twice with both windings: as one two-sided sheet. */
 static void test_duplicates(void **state) {
-    shape sheet = make_sheet(4), twice = shape_new(sheet.vertex_count, 3 * sheet.index_count / 3), box = make_box(2);
-    shape box_twice = shape_new(box.vertex_count, 2 * box.index_count / 3);
+    shape sheet = make_sheet(4, 4), twice = shape_with_room(sheet.vertex_count, 3 * sheet.index_count / 3),
+          box = make_box(2, 2, 2);
+    shape box_twice = shape_with_room(box.vertex_count, 2 * box.index_count / 3);
     sil_mesh *mesh;
     sil_mesh_info info;
     sil_edge edges[64];
@@ -1008,7 +816,7 @@ static void test_duplicates(void **state) {
 
 /* A fan of five half planes around the z axis. */
 static void test_nonmanifold(void **state) {
-    shape fan = shape_new(7, 5);
+    shape fan = shape_with_room(7, 5);
     sil_mesh *mesh;
     sil_edge edge;
     sil_view view = view_at(0, 0, 1, 0);
@@ -1083,7 +891,7 @@ static void test_faces_without_area(void **state) {
     sil_mesh_destroy(mesh);
 }
 
-static sil_mesh *mesh_from(const float *positions, size_t vertices, const uint32_t *indices, size_t count) {
+static sil_mesh *mesh_of_arrays(const float *positions, size_t vertices, const uint32_t *indices, size_t count) {
     shape s;
     s.positions = (float *)(uintptr_t)positions;
     s.indices = (uint32_t *)(uintptr_t)indices;
@@ -1103,7 +911,7 @@ static void test_chains_of_faces_without_area(void **state) {
     const uint32_t pair[6 * 3] = {0, 1, 4, 4, 3, 0, /**/ 0, 5, 1, 1, 5, 4, /**/ 4, 6, 3, 3, 6, 0};
     /* a sliver on an edge that two good faces have: it is no third face of it */
     const uint32_t third[3 * 3] = {0, 4, 5, 4, 0, 6, 0, 7, 4};
-    sil_mesh *mesh = mesh_from(positions, 7, chain, 21);
+    sil_mesh *mesh = mesh_of_arrays(positions, 7, chain, 21);
     const sil_view above = view_at(0, 0, 1, 0);
     sil_edge edges[32];
     size_t i, count;
@@ -1114,24 +922,24 @@ static void test_chains_of_faces_without_area(void **state) {
         assert_int_equal(mesh->source[mesh->flat_root[i]], 0); /* all follow to the face above */
     assert_int_equal(sil_extract(mesh, NULL, &above, SIL_SILHOUETTE | SIL_CREASE, edges, 32), 0);
     sil_mesh_destroy(mesh);
-    mesh = mesh_from(positions, 7, alone, 3);
+    mesh = mesh_of_arrays(positions, 7, alone, 3);
     assert_int_equal(sil_mesh_get_info(mesh).face_count, 1);
     assert_int_equal(sil_extract(mesh, NULL, &above, 15, edges, 32), 0);
     assert_int_equal(sil_mesh_get_info(mesh).boundary_edge_count, 0);
     sil_mesh_destroy(mesh);
-    mesh = mesh_from(positions, 7, pair, 18);
+    mesh = mesh_of_arrays(positions, 7, pair, 18);
     assert_int_equal(sil_mesh_get_info(mesh).degenerate_face_count, 2);
     assert_int_equal(mesh->flat_root[0] != SIL_NONE && mesh->flat_root[1] != SIL_NONE, 1);
     count = sil_extract(mesh, NULL, &above, SIL_SILHOUETTE, edges, 32);
     assert_int_equal(count, 0); /* all face down: the slivers as well */
     assert_int_equal(sil_extract(mesh, NULL, &above, SIL_BOUNDARY, edges, 32), 4);
     sil_mesh_destroy(mesh);
-    mesh = mesh_from(positions, 8, third, 9);
+    mesh = mesh_of_arrays(positions, 8, third, 9);
     assert_int_equal(sil_mesh_get_info(mesh).nonmanifold_edge_count, 0);
     assert_int_equal(sil_mesh_get_info(mesh).boundary_edge_count, 4);
     assert_int_equal(sil_extract(mesh, NULL, &above, SIL_SILHOUETTE | SIL_NONMANIFOLD | SIL_CREASE, edges, 32), 0);
     sil_mesh_destroy(mesh);
-    mesh = mesh_from(positions, 7, pair, 6); /* only the slivers: a ring of no use */
+    mesh = mesh_of_arrays(positions, 7, pair, 6); /* only the slivers: a ring of no use */
     assert_int_equal(sil_extract(mesh, NULL, &above, 15, edges, 32), 0);
     sil_mesh_destroy(mesh);
 }
@@ -1145,7 +953,7 @@ static void test_slivers(void **state) {
     /* a face whose border has two slivers on it, and nothing beyond */
     const uint32_t border[3 * 3] = {0, 4, 5, 0, 1, 4, 4, 3, 0};
     const sil_view above = view_at(1, 2, 9, 1);
-    sil_mesh *mesh = mesh_from(positions, 8, behind, 12);
+    sil_mesh *mesh = mesh_of_arrays(positions, 8, behind, 12);
     sil_edge edges[16];
     size_t count, i;
     int in_view;
@@ -1154,7 +962,7 @@ static void test_slivers(void **state) {
     for (i = 0; i < 3; ++i)
         assert_int_equal(mesh->source[mesh->flat_root[i]], 3);
     sil_mesh_destroy(mesh);
-    mesh = mesh_from(positions, 8, border, 9);
+    mesh = mesh_of_arrays(positions, 8, border, 9);
     assert_int_equal(sil_mesh_get_info(mesh).nonmanifold_edge_count, 0);
     assert_int_equal(sil_mesh_get_info(mesh).boundary_edge_count, 3);
     for (in_view = 0; in_view < 2; ++in_view) {
@@ -1171,7 +979,7 @@ static void test_slivers(void **state) {
 
 /* A face in both windings among faces in one is wound as they are. */
 static void test_partly_two_sided(void **state) {
-    shape sheet = make_sheet(3), more = shape_new(sheet.vertex_count, sheet.index_count / 3 + 1);
+    shape sheet = make_sheet(3, 3), more = shape_with_room(sheet.vertex_count, sheet.index_count / 3 + 1);
     const double toward[3] = {0.1, 0.2, 1}, eye[3] = {1, 1, 4};
     sil_view view = sil_view_orthographic(toward);
     sil_mesh *mesh;
@@ -1193,7 +1001,7 @@ static void test_partly_two_sided(void **state) {
 }
 
 static void test_flipped_neighbours(void **state) {
-    shape sheet = make_sheet(2);
+    shape sheet = make_sheet(2, 2);
     message_count messages = {0, 0, 0};
     sil_mesh_desc desc = desc_of(&sheet);
     sil_mesh *mesh;
@@ -1359,7 +1167,7 @@ static void test_chains_of_closed_mesh(void **state) {
 static void test_loops_do_not_cross(void **state) {
     const float positions[7 * 3] = {0, 0, 0, 2, -1, 0, 2, 1, 0, 2, 0, 1, -2, -1, 0, -2, 1, 0, -2, 0, 1};
     const uint32_t indices[24] = {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3, 0, 4, 5, 0, 6, 4, 0, 5, 6, 4, 6, 5};
-    sil_mesh *mesh = mesh_from(positions, 7, indices, 24);
+    sil_mesh *mesh = mesh_of_arrays(positions, 7, indices, 24);
     const sil_view view = view_at(0, 0.01, 5, 0);
     sil_edge edges[12];
     const size_t count = sil_extract(mesh, NULL, &view, SIL_SILHOUETTE, edges, 12);
@@ -1384,7 +1192,7 @@ static void test_loops_do_not_cross(void **state) {
 }
 
 static void test_chains_of_borders(void **state) {
-    shape sheet = make_sheet(5), box = make_box(3);
+    shape sheet = make_sheet(5, 5), box = make_box(3, 3, 3);
     sil_mesh *mesh = mesh_of(&sheet);
     const sil_view view = view_at(8, 9, 10, 1);
     size_t count, needed, s;
@@ -1446,7 +1254,7 @@ static void test_chains_of_borders(void **state) {
 
 /* The border of a sheet whose corner is not finite in the pose: without the two edges there. */
 static void check_bad_corner(void) {
-    shape sheet = make_sheet(5);
+    shape sheet = make_sheet(5, 5);
     sil_mesh *mesh = mesh_of(&sheet);
     sil_pose *pose = sil_pose_create(mesh, NULL);
     const sil_view view = view_at(2, 2, 5, 1);
@@ -1672,7 +1480,7 @@ static void test_convex_and_concave(void **state) {
     (void)state;
     for (round = 0; round < 12; ++round) {
         const sil_view view = view_at(random_in(-3, 3), random_in(-3, 3), random_in(-3, 3), 1);
-        shape s = round % 3 == 2 ? make_box(4) : make_torus(20, 12, 0.05, round % 3 ? 8 : 0);
+        shape s = round % 3 == 2 ? make_box(4, 4, 4) : make_torus(20, 12, 0.05, round % 3 ? 8 : 0);
         size_t i;
         for (i = 0; i < 3 * s.vertex_count && round == 3; ++i) /* nearly flat: double does not tell */
             s.positions[i] = i % 3 == 2 ? s.positions[i] * 1e-12f : s.positions[i] + 1000;
@@ -1682,7 +1490,7 @@ static void test_convex_and_concave(void **state) {
     print_message("folds: %zu convex, %zu flat, %zu concave\n", counts[0], counts[1], counts[2]);
     assert_true(counts[0] > 1000 && counts[2] > 500);
     for (round = 0; round < 3; ++round) {
-        sil_mesh *mesh = mesh_from(sheet, 4, round == 0 ? folded : round == 1 ? flipped : turned, 6);
+        sil_mesh *mesh = mesh_of_arrays(sheet, 4, round == 0 ? folded : round == 1 ? flipped : turned, 6);
         sil_edge edge;
         assert_int_equal(sil_extract(mesh, NULL, NULL, SIL_CREASE, &edge, 1), 1);
         assert_int_equal(edge.kinds, SIL_CREASE | (round == 0 ? SIL_CONVEX : round == 1 ? 0 : SIL_CONCAVE));
@@ -1691,7 +1499,7 @@ static void test_convex_and_concave(void **state) {
     for (round = 0; round < 4; ++round) { /* a fold too small for double: seen as a silhouette from the first's plane */
         const float z = round / 2 ? 1e-37f : -1e-37f;
         const float slight[12] = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, z};
-        sil_mesh *mesh = mesh_from(slight, 4, folded, 6);
+        sil_mesh *mesh = mesh_of_arrays(slight, 4, folded, 6);
         const sil_view view = view_at(round % 2 ? -5 : 5, round % 2 ? 5 : -5, 0, 1);
         sil_edge edge;
         if (sil_extract(mesh, NULL, &view, SIL_SILHOUETTE, &edge, 1)) {
@@ -1707,7 +1515,7 @@ static void test_convex_and_concave(void **state) {
 
 /* Smooth, noisy, on a grid (edge-on faces), flat-sided, dirty. */
 static shape hierarchy_shape(int number) {
-    shape s = number == 3 ? make_box(60) : make_torus(300, 120, number == 1 ? 0.001 : 0, number == 2 ? 64 : 0);
+    shape s = number == 3 ? make_box(60, 60, 60) : make_torus(300, 120, number == 1 ? 0.001 : 0, number == 2 ? 64 : 0);
     size_t i;
     if (number == 4)
         for (i = 0; i + 30 < s.index_count; i += 1 + random_below(300)) {
@@ -1947,7 +1755,7 @@ static void test_distance_rules(void **state) {
     /* a strip of two quads in the plane, then a vertex no face has, and one that is not finite */
     const float positions[8 * 3] = {0, 0, 0, 1, 0, 0, 2, 0, 0, 0, 1, 0, 1, 1, 0, 2, 1, 0, 1, 3, 4, NAN, 0, 0};
     const uint32_t indices[12] = {0, 1, 4, 0, 4, 3, 1, 2, 5, 1, 5, 4};
-    sil_mesh *mesh = mesh_from(positions, 8, indices, 12);
+    sil_mesh *mesh = mesh_of_arrays(positions, 8, indices, 12);
     sil_edge edges[16], swapped[16];
     const size_t count = sil_extract(mesh, NULL, NULL, SIL_BOUNDARY, edges, 16);
     float d[8];
@@ -2059,7 +1867,7 @@ static void test_distance_tree(void **state) {
     size_t different = 0, round;
     (void)state;
     for (round = 0; round < 40; ++round) { /* noise, coarse grids (many ties), shuffled, huge, far from the origin */
-        shape s = round % 4 == 3 ? make_box(7)
+        shape s = round % 4 == 3 ? make_box(7, 7, 7)
                                  : make_torus(20 + (int)random_below(40), 9 + (int)random_below(20),
                                               round % 2 ? 0.1 : 0, round % 3 == 1 ? 8 : 0);
         const sil_view view = view_at(random_in(-3, 3), random_in(-3, 3), random_in(-3, 3), 1);
@@ -2560,7 +2368,7 @@ static void counting_free(void *memory, void *user) {
 }
 
 static void test_every_allocation_may_fail(void **state) {
-    shape torus = make_torus(8, 5, 0, 2), twice = shape_new(torus.vertex_count, 2 * torus.index_count / 3 + 1);
+    shape torus = make_torus(8, 5, 0, 2), twice = shape_with_room(torus.vertex_count, 2 * torus.index_count / 3 + 1);
     size_t i, fail, failures = 0;
     int weld;
     (void)state;
@@ -2679,7 +2487,7 @@ static void test_steady_frames_allocate_nothing(void **state) {
 }
 
 static void test_misuse_is_harmless(void **state) {
-    shape box = make_box(1);
+    shape box = make_box(1, 1, 1);
     sil_mesh *mesh = mesh_of(&box), *other = mesh_of(&box);
     sil_pose *pose = sil_pose_create(other, NULL);
     const sil_view view = view_at(3, 4, 5, 1);
@@ -2748,7 +2556,7 @@ static void test_chair(void **state) {
         print_message("skipped: no %s\n", path);
         skip();
     }
-    s = shape_new(40000, 40000);
+    s = shape_with_room(40000, 40000);
     read_obj(file, &s);
     fclose(file);
     mesh = mesh_of(&s);
