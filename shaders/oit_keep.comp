@@ -22,7 +22,7 @@ uint oit_kept(uint p, uint count)
     return kept;
 }
 
-void oit_settle(uint p)
+void oit_keep_nearest(uint p)
 {
     uint count = oit_pixel[OIT_LEFT(p)];
     uint kept = oit_kept(p, count);
@@ -46,7 +46,7 @@ void main()
     for (uint i = 0u; i < 8u; ++i) {
         uint p = block * OIT_BLOCK + 128u * i + self;
         if (p < oit_pool.x)
-            oit_settle(p);
+            oit_keep_nearest(p);
     }
     barrier();
     if (self < 5u && oit_classes[self] > 0u)
