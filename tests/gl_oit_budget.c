@@ -1,0 +1,366 @@
+/* gl_oit_budget.c: the stores of oit_buffers.h that keep the k nearest fragments of a pixel, on a real driver: what is
+ * kept against a brute-force choice from all fragments, what is lost against counts and sums of the CPU, pictures against
+ * a reference in double. */
+#include "oit_setting.h"
+
+/* ---- what the buffers hold ---- */
+
+/* All records of each pixel, sorted by their words. */
+typedef struct runs {
+    size_t pixels, words;
+    uint32_t *starts, *counts, *data; /* records: words each */
+    uint32_t *pixel_words;            /* the pixel buffer as it is */
+} runs;
+
+static size_t sorted_words;
+
+static int compare_records(const void *a, const void *b) {
+    const uint32_t *x = a, *y = b;
+    for (size_t i = 0; i < sorted_words; ++i)
+        if (x[i] != y[i])
+            return x[i] < y[i] ? -1 : 1;
+    return 0;
+}
+
+static uint32_t *read_buffer(GLuint name, size_t bytes) {
+    uint32_t *words = calloc(1, bytes + 4);
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    glBindBuffer(GL_COPY_READ_BUFFER, name);
+    const void *mapped = glMapBufferRange(GL_COPY_READ_BUFFER, 0, (GLsizeiptr)bytes, GL_MAP_READ_BIT);
+    assert_non_null(mapped);
+    memcpy(words, mapped, bytes);
+    glUnmapBuffer(GL_COPY_READ_BUFFER);
+    return words;
+}
+
+static runs read_runs(const oit_setting *t) {
+    runs r = {.pixels = (size_t)t->width * (size_t)t->height, .words = (size_t)oit_get_info(t->oit).fragment_bytes / 4};
+    r.pixel_words = read_buffer(t->oit->buffers[OIT_I_PIXELS], (size_t)t->oit->sizes[OIT_I_PIXELS]);
+    uint32_t *all = read_buffer(t->oit->buffers[OIT_I_FRAGMENTS], (size_t)t->oit->sizes[OIT_I_FRAGMENTS]);
+    r.starts = calloc(r.pixels + 1, sizeof *r.starts);
+    r.counts = calloc(r.pixels, sizeof *r.counts);
+    for (size_t p = 0; p < r.pixels; ++p) {
+        const uint32_t *at = r.pixel_words + 16 + 2 * p;
+        r.starts[p] = at[0] + (uint32_t)((int32_t)at[1] > 0 ? (int32_t)at[1] : 0);
+        r.counts[p] = at[2] - r.starts[p];
+    }
+    r.data = all;
+    sorted_words = r.words;
+    for (size_t p = 0; p < r.pixels; ++p)
+        qsort(all + r.starts[p] * r.words, r.counts[p], r.words * sizeof *all, compare_records);
+    return r;
+}
+
+static void free_runs(runs *r) {
+    free(r->pixel_words);
+    free(r->starts);
+    free(r->counts);
+    free(r->data);
+}
+
+static const uint32_t *record(const runs *r, size_t p, size_t i) {
+    return r->data + (r->starts[p] + i) * r->words;
+}
+
+static float as_float(uint32_t bits) {
+    float x;
+    memcpy(&x, &bits, sizeof x);
+    return x;
+}
+
+/* ---- brute force ---- */
+
+/* Where fragments stand that are to be chosen: by all of the depth, or by 16 bits of it and the part. */
+static uint32_t key_of(const uint32_t *record, int bits) {
+    if (bits == 32)
+        return record[0];
+    return (uint32_t)(as_float(record[0]) * 65534.0f) << 16 | (record[1] & 0xffffu);
+}
+
+typedef struct choice {
+    uint32_t kept;
+    double tail[4];
+    unsigned char is_kept[4096]; /* of the sorted records */
+} choice;
+
+/* The k nearest of n; of those that tie for the last places, none. The rest adds up: colour by optical depth, and that. */
+static void choose(const runs *all, size_t p, uint32_t k, int bits, bool has_part, choice *out) {
+    static uint32_t keys[4096], sorted[4096];
+    uint32_t n = all->counts[p];
+    size_t color = has_part ? 2 : 1; /* floats */
+    memset(out, 0, sizeof *out);
+    assert_true(n <= 4096);
+    for (uint32_t i = 0; i < n; ++i)
+        keys[i] = sorted[i] = key_of(record(all, p, i), bits);
+    sorted_words = 1;
+    qsort(sorted, n, sizeof *sorted, compare_records);
+    for (uint32_t i = 0; i < n; ++i) {
+        const uint32_t *at = record(all, p, i) + color;
+        double alpha = (double)as_float(at[3]), depth = fmin(-log(1 - fmin(alpha, 0.999999)), 11);
+        out->is_kept[i] = n <= k || keys[i] < sorted[k];
+        out->kept += out->is_kept[i];
+        for (int c = 0; c < 4 && !out->is_kept[i]; ++c)
+            out->tail[c] += depth * (c < 3 ? (double)as_float(at[c]) : 1);
+    }
+}
+
+/* shaders/oit_frame_block.glsl: where the words of the stores that keep the k nearest lie, in units of 2^-26. */
+static size_t first_word(const runs *r) {
+    return OIT_I_HEADER_WORDS + 2 + 2 * r->pixels + oit_i_blocks((int64_t)r->pixels);
+}
+
+static double tail_of(const runs *r, size_t p, int c) {
+    const uint32_t *at = r->pixel_words + first_word(r) + 6 * p;
+    double low = at[c], carries = at[4 + c / 2] >> 16 * (c % 2) & 0xffffu;
+    return (low + 4294967296.0 * carries) / 67108864.0;
+}
+
+/* ---- drawing ---- */
+
+static const oit_desc exact = {.color = OIT_COLOR_FLOAT};
+static const oit_desc budget = {.store = OIT_STORE_BUDGET, .color = OIT_COLOR_FLOAT};
+static const oit_desc budget_part = {.store = OIT_STORE_BUDGET, .color = OIT_COLOR_FLOAT, .fields = OIT_FIELD_PART};
+static const oit_desc bucketed = {.store = OIT_STORE_BUCKETED, .color = OIT_COLOR_FLOAT, .fields = OIT_FIELD_PART};
+static const oit_desc bucketed_16 = {
+    .store = OIT_STORE_BUCKETED, .color = OIT_COLOR_FLOAT, .fields = OIT_FIELD_PART, .bucket_depth_bits = 16};
+
+static void open_setting(oit_setting *t, bool es, int width, int height) {
+    oit_setting_open(t, es, width, height, 0, es ? GL_RGBA16F : GL_RGBA32F, exact);
+}
+
+/* Another store on the same target. */
+static void use(oit_setting *t, oit_desc desc) {
+    oit_result result;
+    oit_destroy(t->oit);
+    desc.get_proc = oit_scene_get_proc;
+    desc.log_fn = oit_setting_log;
+    desc.log_user = t;
+    desc.max_gl_version = t->h.context.es ? 310 : 430;
+    t->oit = oit_create(&desc, &result);
+    if (!t->oit)
+        fail_msg("oit_create: %s", oit_result_string(result));
+}
+
+/* The store with k layers, by its budget. */
+static void use_layers(oit_setting *t, oit_desc desc, int k) {
+    int64_t each = 24 + (desc.store == OIT_STORE_BUCKETED ? 12 : 4);  /* with a part or without */
+    desc.budget_bytes = (int64_t)k * t->width * t->height * each + 1; /* 0 is the default */
+    use(t, desc);
+}
+
+static float *draw(oit_setting *t, oit_scene *s, const size_t *order) {
+    oit_frame frame = oit_scene_frame(s, t->framebuffer);
+    oit_setting_clear(t, s);
+    oit_scene_render(s, t->oit, &frame, order);
+    return oit_setting_read(t, t->framebuffer);
+}
+
+static oit_report report_of(oit_setting *t) {
+    oit_report report = {0};
+    assert_int_equal(oit_get_report(t->oit, &report), OIT_OK);
+    return report;
+}
+
+/* Sheets that intersect; that coincide in depth, in part, in all; each of five parts again and again. */
+static void mixed_sheets(oit_scene *s, int width, int height, int layers) {
+    uint32_t state = 3;
+    const double depth[4] = {0.25, 0.25, 0.25, 0.25};
+    oit_scene_init(s, width, height);
+    oit_scene_sheets(s, layers, 0.1, true);
+    for (size_t i = 0; i < (size_t)layers; ++i)
+        s->objects[i].part = (uint32_t)(i % 5) * 65537u;
+    for (int i = 0; i < layers; ++i) {
+        const double color[4] = {oit_scene_random(&state), oit_scene_random(&state), 0.5, 0.3};
+        size_t at = oit_scene_quad(s, i * 0.05 - 1, -1, i % 3 ? 1 : 0.1, 1, depth, color);
+        s->objects[at].part = i % 2 ? 7 : (uint32_t)i;
+        if (i % 5 == 4) /* the one before once more */
+            memcpy(s->truths[at].color, s->truths[at - 1].color, sizeof s->truths[at].color);
+    }
+}
+
+static void shuffle(size_t *order, size_t count, uint32_t *state) {
+    for (size_t i = 0; i < count; ++i)
+        order[i] = i;
+    for (size_t i = count - 1; i > 0; --i) {
+        size_t other = (size_t)(oit_scene_random(state) * (double)(i + 1)), kept = order[i];
+        order[i] = order[other];
+        order[other] = kept;
+    }
+}
+
+/* ---- what is kept ---- */
+
+typedef struct totals {
+    uint32_t needed, deepest, lost, lost_pixels;
+} totals;
+
+/* One pixel of what a store holds against what the CPU chooses of all. */
+static void check_pixel(const runs *all, const runs *held, size_t p, uint32_t k, const oit_desc *desc, totals *sum) {
+    static choice c;
+    uint32_t n = all->counts[p], at = 0;
+    int bits = desc->bucket_depth_bits == 16 ? 16 : 32;
+    choose(all, p, k, bits, (desc->fields & OIT_FIELD_PART) != 0, &c);
+    if (held->counts[p] != c.kept)
+        fail_msg("pixel %zu: %u of %u kept, should be %u", p, held->counts[p], n, c.kept);
+    for (uint32_t i = 0; i < n; ++i)
+        if (c.is_kept[i] && memcmp(record(all, p, i), record(held, p, at++), all->words * 4) != 0)
+            fail_msg("pixel %zu: fragment %u of those kept is another one", p, at - 1);
+    /* The logarithm of GLSL is good to a few ulp, and each fragment is rounded to 2^-26. */
+    for (int i = 0; i < 4; ++i)
+        if (!(fabs(tail_of(held, p, i) - c.tail[i]) <= 4e-6 * c.tail[i] + 1e-7 * n))
+            fail_msg("pixel %zu: tail %d is %.9g, should be %.9g", p, i, tail_of(held, p, i), c.tail[i]);
+    sum->needed += n;
+    sum->deepest = n > sum->deepest ? n : sum->deepest;
+    sum->lost += n - c.kept;
+    sum->lost_pixels += n > c.kept;
+}
+
+/* all, whole: what OIT_STORE_EXACT has, and its picture. */
+static void check_layers(oit_setting *t, oit_scene *s, oit_desc desc, int k, const runs *all, const float *whole) {
+    totals sum = {0};
+    use_layers(t, desc, k);
+    float *picture = draw(t, s, NULL);
+    oit_report report = report_of(t);
+    runs held = read_runs(t);
+    assert_int_equal(report.layers, k);
+    assert_int_equal(report.capacity, (size_t)k * all->pixels);
+    for (size_t p = 0; p < all->pixels; ++p) {
+        check_pixel(all, &held, p, (uint32_t)k, &desc, &sum);
+        if (all->counts[p] <= (uint32_t)k && memcmp(whole + 4 * p, picture + 4 * p, 16) != 0)
+            fail_msg("pixel %zu of %u layers is not that of the exact store", p, all->counts[p]);
+    }
+    assert_int_equal(report.needed, sum.needed);
+    assert_int_equal(report.deepest, sum.deepest);
+    assert_int_equal(report.lost, sum.lost);
+    assert_int_equal(report.lost_pixels, sum.lost_pixels);
+    assert_int_equal(report.extra, 0);
+    printf("    k %3d of %3u: %6u of %6u lost, in %5u of %5zu pixels\n", k, sum.deepest, sum.lost, sum.needed,
+           sum.lost_pixels, all->pixels);
+    free(picture);
+    free_runs(&held);
+}
+
+/* Capacities from none to 200 % of what the deepest pixel needs. */
+static void check_capacities(oit_setting *t, oit_scene *s, oit_desc desc) {
+    static const int percents[] = {0, 10, 25, 50, 75, 90, 100, 150, 200};
+    oit_desc exact_desc = desc;
+    exact_desc.store = OIT_STORE_EXACT;
+    use(t, exact_desc);
+    float *whole = draw(t, s, NULL);
+    int deepest = (int)report_of(t).deepest;
+    runs all = read_runs(t);
+    for (size_t i = 0; i < sizeof percents / sizeof percents[0]; ++i)
+        check_layers(t, s, desc, deepest * percents[i] / 100, &all, whole);
+    free(whole);
+    free_runs(&all);
+}
+
+static void check_scenes(bool es, oit_desc desc) {
+    oit_setting t;
+    oit_scene *s = malloc(sizeof *s);
+    open_setting(&t, es, 40, 24);
+    mixed_sheets(s, 40, 24, 20);
+    check_capacities(&t, s, desc);
+    oit_scene_drop(s);
+    oit_scene_init(s, 40, 24);
+    oit_scene_random_balls(s, 8, 16, 0.3);
+    s->truths[2].transparent = false;
+    check_capacities(&t, s, desc);
+    oit_scene_drop(s);
+    oit_setting_close(&t);
+    free(s);
+}
+
+static void test_budget_keeps_the_nearest(void **state) {
+    (void)state;
+    check_scenes(false, budget);
+    check_scenes(true, budget_part);
+}
+
+static void test_bucketed_keeps_the_nearest(void **state) {
+    (void)state;
+    check_scenes(false, bucketed);
+    check_scenes(true, bucketed);
+}
+
+static void test_bucketed_keeps_the_nearest_by_16_bits(void **state) {
+    (void)state;
+    check_scenes(false, bucketed_16);
+    check_scenes(true, bucketed_16);
+}
+
+static void test_500_layers(void **state) {
+    static const int ks[] = {1, 7, 33, 64, 65, 200, 499, 500, 600};
+    (void)state;
+    oit_setting t;
+    oit_scene *s = malloc(sizeof *s);
+    open_setting(&t, false, 8, 6);
+    oit_scene_init(s, 8, 6);
+    oit_scene_sheets(s, 500, 0.02, false);
+    float *whole = draw(&t, s, NULL);
+    runs all = read_runs(&t);
+    for (size_t i = 0; i < sizeof ks / sizeof ks[0]; ++i)
+        check_layers(&t, s, budget, ks[i], &all, whole);
+    free(whole);
+    free_runs(&all);
+    oit_scene_drop(s);
+    oit_setting_close(&t);
+    free(s);
+}
+
+/* ---- the same bits ---- */
+
+/* Six orders and the same again, at every capacity: picture, report and kept records. */
+static void check_orders(oit_desc desc) {
+    static const int ks[] = {0, 3, 10, 20, 36, 80};
+    oit_setting t;
+    oit_scene *s = malloc(sizeof *s);
+    size_t order[OIT_SCENE_MAX];
+    uint32_t state = 3;
+    open_setting(&t, false, 40, 24);
+    mixed_sheets(s, 40, 24, 20);
+    for (size_t i = 0; i < sizeof ks / sizeof ks[0]; ++i) {
+        use_layers(&t, desc, ks[i]);
+        float *first = draw(&t, s, NULL);
+        oit_report report = report_of(&t);
+        for (int run = 0; run < 7; ++run) {
+            shuffle(order, s->count, &state);
+            float *next = draw(&t, s, run ? order : NULL);
+            oit_report again = report_of(&t);
+            assert_int_equal(again.frame, report.frame + (uint64_t)run + 1);
+            again.frame = report.frame;
+            assert_memory_equal(&again, &report, sizeof report);
+            if (memcmp(first, next, 16 * 40 * 24) != 0)
+                fail_msg("k %d: %s is another picture", ks[i], run ? "another order" : "the same order");
+            free(next);
+        }
+        free(first);
+    }
+    oit_scene_drop(s);
+    oit_setting_close(&t);
+    free(s);
+}
+
+static void test_draw_order_changes_nothing(void **state) {
+    oit_desc all = budget;
+    (void)state;
+    all.fields = OIT_FIELD_ALL;
+    all.host_words = 3;
+    all.fit = OIT_FIT_WAIT;
+    check_orders(budget);
+    check_orders(all);
+    check_orders(bucketed);
+    check_orders(bucketed_16);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_budget_keeps_the_nearest),
+        cmocka_unit_test(test_bucketed_keeps_the_nearest),
+        cmocka_unit_test(test_bucketed_keeps_the_nearest_by_16_bits),
+        cmocka_unit_test(test_500_layers),
+        cmocka_unit_test(test_draw_order_changes_nothing),
+    };
+    setvbuf(stdout, NULL, _IOLBF, 0);
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
