@@ -353,6 +353,315 @@ static void test_draw_order_changes_nothing(void **state) {
     check_orders(bucketed_16);
 }
 
+/* ---- the double reference ---- */
+
+/* What a pixel of these layers, nearest first, should be: the k nearest over the others as one layer of their mean colour
+ * and all of their optical depth, over what is behind. Layers that tie across the k-th place are not kept. */
+static void expect_color(const oit_truth_layer *layers, size_t count, size_t k, double color[3]) {
+    double sum[3] = {0}, depth = 0;
+    size_t kept = count <= k ? count : k;
+    while (kept < count && kept > 0 && fabs(layers[kept - 1].depth - layers[k].depth) <= layers[k].slack)
+        --kept;
+    for (size_t i = kept; i < count; ++i) {
+        double thick = fmin(-log(1 - fmin(layers[i].color[3], 0.999999)), 11);
+        depth += thick;
+        for (int c = 0; c < 3; ++c)
+            sum[c] += thick * layers[i].color[c];
+    }
+    for (int c = 0; c < 3 && depth > 0; ++c)
+        color[c] = sum[c] / depth * (1 - exp(-depth)) + exp(-depth) * color[c];
+    oit_truth_blend(layers, kept, color);
+}
+
+/* By a ray through each pixel's centre. truth says which pixels lie too near to an edge. */
+static double worst_error(const oit_scene *s, size_t k, const oit_truth *truth, const float *picture) {
+    static oit_truth_layer layers[4096];
+    ref_i_world world = {0};
+    double worst = 0;
+    world.scene = &s->scene;
+    assert_true(ref_i_make_world(&world));
+    for (int i = 0; i < s->scene.width * s->scene.height; ++i) {
+        double color[3];
+        size_t count;
+        if (truth[i].left_out)
+            continue;
+        const ref_i_hit *solid =
+            oit_truth_cast(&world, s, i % s->scene.width + 0.5, i / s->scene.width + 0.5, layers, &count);
+        for (int c = 0; c < 3; ++c)
+            color[c] = solid ? s->truths[world.triangles[solid->triangle].object].color[c] : s->scene.background[c];
+        expect_color(layers, count, k, color);
+        for (int c = 0; c < 3; ++c)
+            worst = fmax(worst, fabs(color[c] - (double)picture[4 * i + c]));
+    }
+    ref_i_free_world(&world);
+    return worst;
+}
+
+/* k 0 comes first: the store without a run. */
+static void check_reference(oit_setting *t, oit_scene *s, oit_desc desc, const char *name, double tolerance) {
+    static const int ks[] = {0, 1, 2, 5, 8, 12, 40};
+    oit_truth *truth = malloc((size_t)t->width * (size_t)t->height * sizeof *truth);
+    double left_out = oit_truth_render(s, truth);
+    assert_true(left_out <= 0.1);
+    for (size_t i = 0; i < sizeof ks / sizeof ks[0]; ++i) {
+        use_layers(t, desc, ks[i]);
+        float *picture = draw(t, s, NULL);
+        double worst = worst_error(s, (size_t)ks[i], truth, picture);
+        printf("    %-24s k %2d: max %.3g (allowed %.3g), %.1f %% left out\n", name, ks[i], worst, tolerance,
+               100 * left_out);
+        assert_true(worst <= tolerance);
+        free(picture);
+    }
+    free(truth);
+}
+
+static void test_pictures_match_the_reference(void **state) {
+    (void)state;
+    oit_setting t;
+    oit_scene *s = malloc(sizeof *s);
+    open_setting(&t, false, 128, 128);
+    oit_scene_init(s, 128, 128);
+    oit_scene_sheets(s, 30, 0.15, false);
+    check_reference(&t, s, budget, "sheets", 1e-5);
+    check_reference(&t, s, bucketed, "sheets, bucketed", 1e-5);
+    check_reference(&t, s, bucketed_16, "sheets, by 16 bits", 1e-5);
+    oit_scene_drop(s);
+    oit_scene_init(s, 128, 128);
+    oit_scene_random_balls(s, 6, 16, 0.4);
+    s->truths[2].transparent = false;
+    check_reference(&t, s, budget, "balls, one opaque", 1e-5);
+    oit_scene_drop(s);
+    oit_setting_close(&t);
+    free(s);
+}
+
+/* Near is 1, far is 0: all bits of the depth the other way round, and 16 of them. */
+static void test_reversed_depth(void **state) {
+    (void)state;
+    oit_desc descs[2] = {budget, bucketed_16};
+    oit_setting t;
+    oit_scene *s = malloc(sizeof *s);
+    open_setting(&t, false, 128, 128);
+    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+    oit_scene_init(s, 128, 128);
+    oit_scene_random_balls(s, 6, 16, 0.4);
+    s->truths[2].transparent = false;
+    s->reversed = true;
+    for (int i = 0; i < 2; ++i) {
+        descs[i].reversed_z = 1;
+        /* 16 bits tie where spheres of these depths lie nearer than 1/65534: not at the pixels that count here. */
+        check_reference(&t, s, descs[i], i ? "reversed, by 16 bits" : "reversed", 1e-5);
+    }
+    oit_scene_drop(s);
+    oit_setting_close(&t);
+    free(s);
+}
+
+/* ---- hard cases ---- */
+
+/* Layers one unit in the last place apart: the limit falls between two of them. 16 bits cannot tell them apart, so none
+ * is kept there. */
+static void test_one_ulp_apart(void **state) {
+    enum { LAYERS = 12 };
+    (void)state;
+    oit_setting t;
+    oit_scene *s = malloc(sizeof *s);
+    double depth[LAYERS];
+    open_setting(&t, false, 4, 4);
+    oit_scene_init(s, 4, 4);
+    float at = 0.75f;
+    for (int i = 0; i < LAYERS; ++i, at = nextafterf(at, 1)) { /* window depth d from 2 d - 1, exact here */
+        const double z = 2 * (double)at - 1, zs[4] = {z, z, z, z}, color[4] = {i / 12.0, 1 - i / 12.0, 0.5, 0.4};
+        depth[i] = (double)at;
+        oit_scene_quad(s, -1, -1, 1, 1, zs, color);
+    }
+    for (int k = 0; k <= LAYERS; ++k)
+        for (int bits = 16; bits <= 32; bits += 16) {
+            static const size_t backward[LAYERS] = {11, 10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0};
+            oit_truth_layer layers[LAYERS];
+            double color[3] = {1, 1, 1};
+            oit_desc desc = bits == 16 ? bucketed_16 : budget;
+            desc.fields = OIT_FIELD_PART;
+            for (int i = 0; i < LAYERS; ++i) {
+                s->objects[i].part = 9;
+                memset(&layers[i], 0, sizeof layers[i]);
+                layers[i].depth = bits == 16 && k < LAYERS ? 0.75 : depth[i];
+                memcpy(layers[i].color, s->truths[i].color, 3 * sizeof(double));
+                layers[i].color[3] = s->truths[i].alpha;
+            }
+            expect_color(layers, LAYERS, (size_t)k, color);
+            use_layers(&t, desc, k);
+            for (int run = 0; run < 2; ++run) {
+                float *picture = draw(&t, s, run ? backward : NULL);
+                oit_report report = report_of(&t);
+                assert_int_equal(report.lost, 16 * (bits == 16 && k < LAYERS ? LAYERS : LAYERS - k));
+                for (int c = 0; c < 3; ++c)
+                    assert_true(fabs((double)picture[c] - color[c]) <= 1e-5);
+                free(picture);
+            }
+        }
+    oit_scene_drop(s);
+    oit_setting_close(&t);
+    free(s);
+}
+
+/* Sheets alike in every word before and behind others: all are kept, or none. */
+static void test_identical_layers(void **state) {
+    (void)state;
+    oit_setting t;
+    oit_scene *s = malloc(sizeof *s);
+    open_setting(&t, false, 4, 4);
+    oit_scene_init(s, 4, 4);
+    for (int i = 0; i < 9; ++i) {
+        const double z = i == 0 ? -0.5 : i == 8 ? 0.5 : 0, zs[4] = {z, z, z, z};
+        const double color[4] = {i == 0, i == 8, 0.25, 0.3};
+        oit_scene_quad(s, -1, -1, 1, 1, zs, color);
+        s->objects[i].part = 3;
+    }
+    for (int store = 0; store < 3; ++store)
+        for (int k = 0; k <= 10; ++k) {
+            uint32_t kept = k >= 9 ? 9 : k >= 8 ? 8 : k >= 1 ? 1 : 0;
+            use_layers(&t, store == 0 ? budget : store == 1 ? bucketed : bucketed_16, k);
+            free(draw(&t, s, NULL));
+            assert_int_equal(report_of(&t).lost, 16 * (9 - kept));
+            assert_int_equal(report_of(&t).lost_pixels, kept < 9 ? 16 : 0);
+        }
+    oit_scene_drop(s);
+    oit_setting_close(&t);
+    free(s);
+}
+
+/* 1,000 layers of alpha 10^-4 of which nearly all are in the tail; alpha 0 and 1 kept and not; white on white. */
+static void test_alpha_extremes(void **state) {
+    (void)state;
+    oit_setting t;
+    oit_scene *s = malloc(sizeof *s);
+    open_setting(&t, false, 8, 8);
+    oit_scene_init(s, 8, 8);
+    oit_scene_sheets(s, 1000, 1e-4, false);
+    memset(s->scene.background, 0, sizeof s->scene.background);
+    check_reference(&t, s, budget, "1000 layers of 1e-4", 1e-5);
+    oit_scene_drop(s);
+    oit_scene_init(s, 8, 8);
+    oit_scene_sheets(s, 24, 0.3, false);
+    for (size_t i = 0; i < s->count; ++i)
+        s->truths[i].alpha = i % 4 == 1 ? 0 : i % 9 == 7 ? 1 : 0.3;
+    check_reference(&t, s, budget, "alpha 0 and 1", 1e-5);
+    for (size_t i = 0; i < s->count; ++i)
+        for (int c = 0; c < 3; ++c)
+            s->truths[i].color[c] = s->scene.background[c] = 1;
+    check_reference(&t, s, budget, "weights sum to one", 2e-6);
+    oit_scene_drop(s);
+    oit_setting_close(&t);
+    free(s);
+}
+
+/* A viewport of nothing, of one pixel, and sizes that change: what k is follows. */
+static void test_sizes(void **state) {
+    static const int sizes[][2] = {{0, 0}, {1, 1}, {0, 9}, {40, 24}, {3, 5}, {40, 1}, {1, 1}};
+    (void)state;
+    oit_setting t;
+    oit_scene *s = malloc(sizeof *s);
+    oit_desc desc = budget;
+    open_setting(&t, false, 40, 24);
+    desc.budget_bytes = 40 * 24 * 28 * 3;
+    use(&t, desc);
+    for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; ++i) {
+        int pixels = sizes[i][0] * sizes[i][1];
+        oit_scene_init(s, sizes[i][0], sizes[i][1]);
+        oit_scene_sheets(s, 12, 0.2, false);
+        free(draw(&t, s, NULL));
+        oit_report report = report_of(&t);
+        uint32_t k = pixels ? 40 * 24 * 3 / (uint32_t)pixels : 0;
+        if (pixels) {
+            assert_int_equal(report.layers, k > 1024 ? 1024 : k);
+            assert_int_equal(report.needed, 12 * pixels);
+            assert_int_equal(report.lost, k < 12 ? (12 - k) * (uint32_t)pixels : 0);
+        }
+        oit_scene_drop(s);
+    }
+    desc.layers = 5; /* no more than that */
+    use(&t, desc);
+    oit_scene_init(s, 3, 5);
+    oit_scene_sheets(s, 12, 0.2, false);
+    free(draw(&t, s, NULL));
+    assert_int_equal(report_of(&t).layers, 5);
+    assert_int_equal(report_of(&t).lost, 7 * 15);
+    oit_scene_drop(s);
+    oit_setting_close(&t);
+    free(s);
+}
+
+/* Where a storage block holds only some rows, the picture comes in slabs and is the same. */
+static void test_slabs_equal_the_whole(void **state) {
+    (void)state;
+    oit_desc descs[2] = {budget, bucketed};
+    for (int store = 0; store < 2; ++store) {
+        oit_scene *s = malloc(sizeof *s);
+        oit_setting t;
+        float *pictures[2];
+        oit_report reports[2];
+        open_setting(&t, false, 40, 36);
+        oit_scene_init(s, 40, 36);
+        oit_scene_random_balls(s, 8, 16, 0.3);
+        for (int i = 0; i < 2; ++i) {
+            descs[store].budget_bytes = 40 * 36 * 36 * 3;
+            descs[store].max_block_bytes = i ? 16000 : 0;
+            use(&t, descs[store]);
+            pictures[i] = draw(&t, s, NULL);
+            reports[i] = report_of(&t);
+            assert_true(i ? reports[i].bands > 2 : reports[i].bands == 1);
+        }
+        assert_memory_equal(pictures[0], pictures[1], 16 * 40 * 36);
+        assert_int_equal(reports[0].lost, reports[1].lost);
+        assert_int_equal(reports[0].lost_pixels, reports[1].lost_pixels);
+        assert_int_equal(reports[0].needed, reports[1].needed);
+        assert_true(reports[0].lost > 0);
+        free(pictures[0]);
+        free(pictures[1]);
+        oit_scene_drop(s);
+        oit_setting_close(&t);
+        free(s);
+    }
+}
+
+/* The host draws more in the second geometry pass, or less: nothing is written outside of a run, and what has no place is
+ * reported. */
+static void test_passes_that_differ(void **state) {
+    (void)state;
+    oit_desc descs[2] = {budget, bucketed};
+    oit_scene *s = malloc(sizeof *s);
+    oit_setting t;
+    open_setting(&t, false, 16, 16);
+    oit_scene_init(s, 16, 16);
+    oit_scene_sheets(s, 6, 0.25, false);
+    for (int store = 0; store < 2; ++store)
+        for (int more = 0; more < 2; ++more) {
+            oit_frame frame = oit_scene_frame(s, t.framebuffer);
+            oit_pass pass;
+            use_layers(&t, descs[store], 4);
+            oit_setting_clear(&t, s);
+            oit_scene_expect(oit_begin(t.oit, &frame), "oit_begin");
+            while (oit_next_pass(t.oit, &pass)) {
+                s->count = (pass.kind == OIT_PASS_FILL) == (more == 1) ? 6 : 3;
+                oit_scene_draw(s, t.oit, &pass, NULL);
+                s->count = 6;
+            }
+            oit_scene_expect(oit_compose(t.oit), "oit_compose");
+            oit_scene_expect(oit_end(t.oit), "oit_end");
+            runs held = read_runs(&t);
+            /* Three known: whatever comes is kept, while there are places. Six known: of those that come, at depths 0, 5 and 4
+             * of 0 ... 5, one is among the four nearest. */
+            assert_int_equal(report_of(&t).extra, more ? 2 * 256 : 0);
+            for (size_t p = 0; p < held.pixels; ++p)
+                assert_int_equal(held.counts[p], more ? 4 : 1);
+            free_runs(&held);
+        }
+    oit_scene_drop(s);
+    oit_setting_close(&t);
+    free(s);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_budget_keeps_the_nearest),
@@ -360,6 +669,14 @@ int main(void) {
         cmocka_unit_test(test_bucketed_keeps_the_nearest_by_16_bits),
         cmocka_unit_test(test_500_layers),
         cmocka_unit_test(test_draw_order_changes_nothing),
+        cmocka_unit_test(test_pictures_match_the_reference),
+        cmocka_unit_test(test_reversed_depth),
+        cmocka_unit_test(test_one_ulp_apart),
+        cmocka_unit_test(test_identical_layers),
+        cmocka_unit_test(test_alpha_extremes),
+        cmocka_unit_test(test_sizes),
+        cmocka_unit_test(test_slabs_equal_the_whole),
+        cmocka_unit_test(test_passes_that_differ),
     };
     setvbuf(stdout, NULL, _IOLBF, 0);
     return cmocka_run_group_tests(tests, NULL, NULL);
