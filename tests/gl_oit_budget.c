@@ -662,6 +662,132 @@ static void test_passes_that_differ(void **state) {
     free(s);
 }
 
+/* ---- buckets ---- */
+
+/* Murray 2016, section 4.1, on the CPU: the records of a pixel by part, and where that of each part lie in the table. */
+static void check_buckets(const runs *held, const uint32_t *data, size_t p, uint32_t k) {
+    size_t keys = first_word(held) + 7 * held->pixels + p * (k + 1);
+    size_t table = first_word(held) + (8 + (size_t)k) * held->pixels + 2 * p * k;
+    const uint32_t *order = held->pixel_words + keys, *slots = held->pixel_words + table;
+    uint32_t n = held->counts[p], parts = 0, used = 0;
+    for (uint32_t i = 0; i < n; ++i) {
+        const uint32_t *at = data + order[i] * held->words;
+        assert_true(order[i] >= held->starts[p] && order[i] < held->starts[p] + n);
+        for (uint32_t j = 0; j < i; ++j)
+            assert_true(order[j] != order[i]);
+        bool fresh = i == 0 || data[order[i - 1] * held->words + 1] != at[1];
+        parts += fresh;
+        sorted_words = held->words;
+        if (i > 0) /* by part, and by all words within one */
+            assert_true(fresh ? data[order[i - 1] * held->words + 1] < at[1]
+                              : compare_records(data + order[i - 1] * held->words, at) <= 0);
+        if (!fresh)
+            continue;
+        uint32_t slot = at[1] % k, count = 1;
+        while (slots[2 * slot + 1] != 0 && slots[2 * slot] != at[1])
+            slot = (slot + 1) % k;
+        while (i + count < n && data[order[i + count] * held->words + 1] == at[1])
+            ++count;
+        assert_int_equal(slots[2 * slot + 1], i | count << 16);
+    }
+    for (uint32_t i = 0; i < k; ++i)
+        used += slots[2 * i + 1] != 0;
+    assert_int_equal(used, parts);
+}
+
+static const char *const asker =
+    "layout(local_size_x = 1) in;\n"
+    "layout(std430, binding = 5) writeonly buffer answers { uvec4 answer[]; };\n"
+    "void main() {\n"
+    "    uint p = gl_WorkGroupID.x, part = gl_WorkGroupID.y * (gl_WorkGroupID.y < 5u ? 65537u : 1u), first, count;\n"
+    "    bool found = oit_find_bucket(p, part, first, count);\n"
+    "    uint sum = 0u;\n"
+    "    for (uint i = first; i < first + count; ++i) {\n"
+    "        uint at = oit_bucket_record(p, i) * uint(OIT_VECTORS);\n"
+    "        sum += OIT_WORD(at, OIT_AT_PART) == part ? oit_record_depth(at) : 1u;\n"
+    "    }\n"
+    "    answer[p * gl_NumWorkGroups.y + gl_WorkGroupID.y] = uvec4(found ? 1u : 0u, count, sum, part);\n"
+    "}\n";
+
+/* A shader that asks each pixel for each part, as operators do. */
+static uint32_t *ask(oit_setting *t, uint32_t pixels, uint32_t parts) {
+    oit_i_source source;
+    GLuint program = glCreateProgram(), shader = glCreateShader(GL_COMPUTE_SHADER), answers;
+    GLint ok = 0;
+    oit_i_add_preamble(&source, t->oit->info.es, t->oit->preamble);
+    oit_i_add_chunks(&source, oit_i_shader_oit_frame_block_glsl);
+    oit_i_add_chunks(&source, oit_i_shader_oit_record_glsl);
+    oit_i_add_chunks(&source, oit_i_shader_oit_buckets_glsl);
+    oit_i_add(&source, asker);
+    glShaderSource(shader, source.count, source.strings, NULL);
+    glCompileShader(shader);
+    glAttachShader(program, shader);
+    glLinkProgram(program);
+    glGetProgramiv(program, GL_LINK_STATUS, &ok);
+    assert_true(ok);
+    glGenBuffers(1, &answers);
+    glBindBuffer(GL_COPY_WRITE_BUFFER, answers);
+    glBufferData(GL_COPY_WRITE_BUFFER, (GLsizeiptr)(16 * pixels * parts), NULL, GL_DYNAMIC_READ);
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, t->oit->buffers[OIT_I_PIXELS]);
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, t->oit->buffers[OIT_I_FRAGMENTS]);
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 5, answers);
+    glBindBufferBase(GL_UNIFORM_BUFFER, 14, t->oit->buffers[OIT_I_UNIFORMS]);
+    glUseProgram(program);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    glDispatchCompute(pixels, parts, 1);
+    uint32_t *out = read_buffer(answers, 16 * pixels * parts);
+    glUseProgram(0);
+    glDeleteBuffers(1, &answers);
+    glDeleteShader(shader);
+    glDeleteProgram(program);
+    return out;
+}
+
+static void check_answers(const runs *held, const uint32_t *answers, uint32_t parts) {
+    for (size_t p = 0; p < held->pixels; ++p)
+        for (uint32_t j = 0; j < parts; ++j) {
+            const uint32_t *answer = answers + 4 * (p * parts + j);
+            uint32_t part = j < 5 ? j * 65537u : j, count = 0, sum = 0;
+            for (uint32_t i = 0; i < held->counts[p]; ++i)
+                if (record(held, p, i)[1] == part) {
+                    ++count;
+                    sum += record(held, p, i)[0];
+                }
+            assert_int_equal(answer[0], count > 0);
+            assert_int_equal(answer[1], count);
+            assert_int_equal(answer[2], sum);
+            assert_int_equal(answer[3], part);
+        }
+}
+
+/* Fewer slots than parts, as many, more: all that is kept is found by its part, and nothing else is. */
+static void test_buckets(void **state) {
+    static const int ks[] = {1, 3, 8, 20, 45};
+    (void)state;
+    oit_setting t;
+    oit_scene *s = malloc(sizeof *s);
+    for (int es = 0; es < 2; ++es) {
+        open_setting(&t, es, 20, 12);
+        mixed_sheets(s, 20, 12, 20);
+        for (size_t i = 0; i < 2 * sizeof ks / sizeof ks[0]; ++i) {
+            use_layers(&t, i % 2 ? bucketed_16 : bucketed, ks[i / 2]);
+            free(draw(&t, s, NULL));
+            runs held = read_runs(&t);
+            uint32_t *data = read_buffer(t.oit->buffers[OIT_I_FRAGMENTS], (size_t)t.oit->sizes[OIT_I_FRAGMENTS]);
+            uint32_t *answers = ask(&t, (uint32_t)held.pixels, 20);
+            for (size_t p = 0; p < held.pixels; ++p)
+                check_buckets(&held, data, p, (uint32_t)ks[i / 2]);
+            check_answers(&held, answers, 20);
+            free(answers);
+            free(data);
+            free_runs(&held);
+        }
+        oit_scene_drop(s);
+        oit_setting_close(&t);
+    }
+    free(s);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_budget_keeps_the_nearest),
@@ -677,6 +803,7 @@ int main(void) {
         cmocka_unit_test(test_sizes),
         cmocka_unit_test(test_slabs_equal_the_whole),
         cmocka_unit_test(test_passes_that_differ),
+        cmocka_unit_test(test_buckets),
     };
     setvbuf(stdout, NULL, _IOLBF, 0);
     return cmocka_run_group_tests(tests, NULL, NULL);
