@@ -47,6 +47,18 @@ void oit_lay_run(uint base, uint n)
 #endif
 }
 
+#if OIT_KEEPS
+// Behind what is kept, all that is not.
+void oit_lay_tail(uint p)
+{
+    if (oit_pixel[OIT_LIMIT(p)] == OIT_NONE)
+        return;
+    vec4 tail = oit_tail_light(oit_tail_sums(p));
+    oit_sum += oit_through * tail.rgb;
+    oit_through *= tail.a;
+}
+#endif
+
 void main()
 {
     ivec2 where = ivec2(gl_FragCoord.xy) - oit_area.xy;
@@ -67,6 +79,9 @@ void main()
         discard;
 #endif
     oit_lay_run((start - oit_pool.y) * uint(OIT_VECTORS), n);
+#if OIT_KEEPS
+    oit_lay_tail(p);
+#endif
 #if OIT_MODE == OIT_MODE_DUAL
     oit_out = vec4(oit_sum, 0.0);
     oit_keep = vec4(oit_light.w * oit_through, 0.0);

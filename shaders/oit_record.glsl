@@ -1,9 +1,11 @@
 // For: oit_buffers.h
 // Records read back: the order of two, colour, how it is laid over what is behind.
+#ifdef OIT_ARRANGES
+layout(std430, binding = OIT_BINDING_PIXELS) buffer oit_pixels { uint oit_pixel[]; };
+#else
 layout(std430, binding = OIT_BINDING_PIXELS) readonly buffer oit_pixels { uint oit_pixel[]; };
+#endif
 layout(std430, binding = OIT_BINDING_FRAGMENTS) readonly buffer oit_fragments { OIT_VECTOR oit_data[]; };
-
-#define OIT_NONE 0xffffffffu
 
 // Whether the record at a comes after that at b; by their words, then by where they lie, which only tells apart records
 // that are alike in every word.
