@@ -160,7 +160,8 @@ extern "C" {
     X(OIT_TARGET_MULTISAMPLED, "the target is multisampled, which this version does not draw into")                    \
     X(OIT_TOO_LARGE, "the viewport is larger than the context's buffers or viewports can be")                          \
     X(OIT_PIXEL_TOO_DEEP, "one pixel alone has more fragments than the ceiling holds")                                 \
-    X(OIT_WRONG_ORDER, "a function of a frame was called outside of it, or before its passes were done")
+    X(OIT_WRONG_ORDER, "a function of a frame was called outside of it, or before its passes were done")               \
+    X(OIT_NOT_READY, "the GPU has not come as far yet; ask again")
 
 typedef enum oit_result {
 #define OIT_I_ENUM(name, text) name,
@@ -253,11 +254,28 @@ typedef struct oit_report {
 
 /* ---- a frame ---------------------------------------------------------------------------------------------------- */
 
+/* Which depth stands for all that was composed, for passes that come after and know one depth a pixel: fog, depth of
+   field, temporal filters. It is a window depth, that of the fragment with which the transmittance, from the eye on, falls
+   below a limit; written to the depth attachment of frame.depth_framebuffer, whatever is there (no depth test), or as a
+   colour. Where no fragment qualifies, and where the run of a pixel did not fit, nothing is written: what the host has put
+   there stays. So give the target itself, or a framebuffer into which the opaque depth was copied. Of a filter
+   (OIT_BLEND_MULTIPLY) the channel counts that lets most through. */
+typedef enum oit_depth {
+    OIT_DEPTH_NONE,
+    OIT_DEPTH_FIRST,    /* the nearest fragment, however transparent */
+    OIT_DEPTH_MEDIAN,   /* below one half */
+    OIT_DEPTH_THRESHOLD /* below frame.depth_threshold */
+} oit_depth;
+
 typedef struct oit_frame {
     uint32_t framebuffer; /* target; its depth, if it has any, hides fragments; its first draw buffer is drawn into */
     int x, y, width, height; /* viewport within the target, pixels */
     float background_weight; /* of the target's own content, in [0,1]; 0: default 1; negative: 0 */
     float light[3]; /* built-in surfaces: toward the light, any length, in the space of the normals; zero: not shaded */
+    oit_depth depth;            /* of the composite; OIT_DEPTH_NONE costs nothing */
+    float depth_threshold;      /* OIT_DEPTH_THRESHOLD: in ]0,1] */
+    uint32_t depth_framebuffer; /* takes the depth, at the same viewport; see oit_depth */
+    int depth_to_color;         /* 1: in its first draw buffer instead, which is of floats (R32F) */
 } oit_frame;
 
 typedef enum oit_pass_kind {
@@ -269,6 +287,8 @@ typedef enum oit_pass_kind {
     OIT_PASS_REPORT,
     OIT_PASS_FILL, /* the host draws them again */
     OIT_PASS_COMPOSE,
+    OIT_PASS_PICK,  /* where oit_pick_begin has asked for it */
+    OIT_PASS_DEPTH, /* with oit_frame.depth */
     OIT_PASS_KIND_COUNT
 } oit_pass_kind;
 
@@ -284,11 +304,12 @@ typedef struct oit_state {
     int first_storage_binding;
     uint32_t uniform_buffer; /* bound to uniform_binding */
     int uniform_binding;
-    int depth_test; /* depth is never written */
+    int depth_test;
     uint32_t depth_func;
     int color_write;                          /* rgb of the first draw buffer; alpha and others are never written */
     int blend;                                /* equation: add */
     uint32_t blend_source, blend_destination; /* of rgb */
+    int depth_write;                          /* only OIT_PASS_DEPTH, whose test always passes */
 } oit_state;
 
 typedef struct oit_pass {
@@ -318,6 +339,31 @@ OIT_DEF oit_result oit_compose(oit_context *oit);
 OIT_DEF oit_result oit_end(oit_context *oit); /* may come early: what is drawn so far stays */
 /* The latest that is known; with OIT_FIT_WAIT it waits for the last frame. */
 OIT_DEF oit_result oit_get_report(oit_context *oit, oit_report *report);
+
+/* ---- picking ----------------------------------------------------------------------------------------------------- */
+
+#define OIT_MAX_PICKS 4
+
+/* One fragment of one pixel. Members whose fields were not chosen are 0. */
+typedef struct oit_pick {
+    int x, y, layer; /* as asked */
+    uint64_t frame;  /* that it is of, counted as in oit_report */
+    uint32_t layers; /* fragments of the pixel before the host's opaque things */
+    int found;       /* 0: there is no such layer, or the pixel's run did not fit; what follows is then 0 */
+    float depth;     /* window depth */
+    float color[4];  /* as it was stored: multiplied by alpha with desc.premultiplied */
+    uint32_t part, key, blend;
+    float normal[3], uv[2]; /* the normal of unit length */
+    uint32_t words[8];      /* the host's */
+} oit_pick;
+
+/* Asks for the fragment at a pixel of the target (y as in gl_FragCoord) that `layer` others come before, 0 being the
+   nearest. The next oit_compose answers, that of this frame where one is under way. Needs the context current; makes a
+   program and a buffer when first called. OIT_MAX_PICKS may be under way; one more is OIT_WRONG_ORDER. */
+OIT_DEF oit_result oit_pick_begin(oit_context *oit, int x, int y, int layer);
+/* The answer asked for first, which is then done with. OIT_NOT_READY: not there yet; with wait it is waited for, once the
+   frame that answers has ended. OIT_WRONG_ORDER: none is under way, or none that can be waited for. */
+OIT_DEF oit_result oit_pick_result(oit_context *oit, int wait, oit_pick *pick);
 
 /* Uniforms of the built-in surface programs. */
 typedef struct oit_material {
@@ -558,6 +604,41 @@ static const char *const oit_i_shader_oit_compose_glsl[] = {
     "#define I(d, o) { s = s || x < d; uint t = d; d = s ? x : d; x = s ? t : x; t = o; o = s ? y : o; y = s ? t : y; }\n"
     "uint oit_order[OIT_CLASS + OIT_DEEP];\n",
     0};
+static const char *const oit_i_shader_oit_depth_frag[] = {
+    "#line 1\n"
+    "// For: oit_buffers.h\n"
+    "// The depth of the composite: of the fragment with which the transmittance falls below oit_output.x. Where it never does,\n"
+    "// what the host has put there stays. Written as a depth and as a colour; masks say which of them is taken.\n"
+    "layout(location = 0) out highp vec4 oit_out;\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    ivec2 where = ivec2(gl_FragCoord.xy) - oit_area.xy;\n"
+    "    uint base, n, at = OIT_NONE;\n"
+    "    if (!oit_find_run(uint(where.y) * uint(oit_area.z) + uint(where.x), base, n))\n"
+    "        discard;\n"
+    "    for (uint i = 0u; i < n; ++i) {\n"
+    "        at = oit_next(base, n, at);\n"
+    "        oit_lay(at);\n"
+    "#if OIT_HAS_BLEND\n"
+    "        float through = max(oit_through.r, max(oit_through.g, oit_through.b));\n"
+    "#else\n"
+    "        float through = oit_through;\n"
+    "#endif\n"
+    "        if (through < oit_output.x) {\n"
+    "#if OIT_REVERSED_Z\n"
+    "            float depth = uintBitsToFloat(0x7fffffffu - oit_record_depth(at));\n"
+    "#else\n"
+    "            float depth = uintBitsToFloat(oit_record_depth(at));\n"
+    "#endif\n"
+    "            gl_FragDepth = depth;\n"
+    "            oit_out = vec4(depth);\n"
+    "            return;\n"
+    "        }\n"
+    "    }\n"
+    "    discard;\n"
+    "}\n",
+    0};
 static const char *const oit_i_shader_oit_frame_block_glsl[] = {
     "#line 1\n"
     "// For: oit_buffers.h\n"
@@ -569,6 +650,7 @@ static const char *const oit_i_shader_oit_frame_block_glsl[] = {
     "    highp uvec4 oit_step;  // x: 1 with the first slab of a frame, y: what is deeper is left to the program for all depths\n"
     "    highp uvec4 oit_above; // what is not deeper than this is left to the program before: of up to 8, 16, 32, 64\n"
     "    highp vec4 oit_light;  // xyz: toward the light, unit length; zero: no shading. w: weight of the background\n"
+    "    highp vec4 oit_output; // x: transmittance below which the depth of the composite is taken\n"
     "};\n"
     "\n"
     "// The pixel buffer: 16 words of totals, then two words a pixel (where its run starts; how many fragments are still to\n"
@@ -600,6 +682,73 @@ static const char *const oit_i_shader_oit_fullscreen_vert[] = {
     "{\n"
     "    vec2 corner = vec2(float((gl_VertexID << 1) & 2), float(gl_VertexID & 2));\n"
     "    gl_Position = vec4(2.0 * corner - 1.0, 0.0, 1.0);\n"
+    "}\n",
+    0};
+static const char *const oit_i_shader_oit_ordered_glsl[] = {
+    "#line 1\n"
+    "// For: oit_buffers.h\n"
+    "// A pixel's run in its order without a sort, for what looks at few of its records: picking, the depth of the composite.\n"
+    "\n"
+    "// Where the run of pixel p lies, and how many records it has; false where it did not fit into the pool.\n"
+    "bool oit_find_run(uint p, out uint base, out uint n)\n"
+    "{\n"
+    "    uint start = oit_pixel[OIT_START(p)], end = oit_pixel[OIT_START(p + 1u)];\n"
+    "    bool fits = true;\n"
+    "#if OIT_ASYNC\n"
+    "    fits = end <= oit_pool.z;\n"
+    "#endif\n"
+    "    // Fragments that were counted and did not come have left the first places empty.\n"
+    "    if (fits)\n"
+    "        start += uint(max(int(oit_pixel[OIT_LEFT(p)]), 0));\n"
+    "    n = end - start;\n"
+    "    base = (start - oit_pool.y) * uint(OIT_VECTORS);\n"
+    "    return fits;\n"
+    "}\n"
+    "\n"
+    "// The record that comes next after `last`, or the first one after OIT_NONE; OIT_NONE after the last.\n"
+    "uint oit_next(uint base, uint n, uint last)\n"
+    "{\n"
+    "    uint best = OIT_NONE, nearest = OIT_NONE;\n"
+    "    uint before = last == OIT_NONE ? 0u : oit_record_depth(last);\n"
+    "    for (uint i = 0u; i < n; ++i) {\n"
+    "        uint at = base + i * uint(OIT_VECTORS), depth = oit_record_depth(at);\n"
+    "        if (depth < before || depth > nearest)\n"
+    "            continue;\n"
+    "        if (last != OIT_NONE && depth == before && !oit_after(at, last))\n"
+    "            continue;\n"
+    "        if (best != OIT_NONE && depth == nearest && !oit_after(best, at))\n"
+    "            continue;\n"
+    "        best = at;\n"
+    "        nearest = depth;\n"
+    "    }\n"
+    "    return best;\n"
+    "}\n",
+    0};
+static const char *const oit_i_shader_oit_pick_comp[] = {
+    "#line 1\n"
+    "// For: oit_buffers.h\n"
+    "// One fragment of one pixel, the one that `layer` others come before, with all its words; and how many there are.\n"
+    "layout(local_size_x = 128) in;\n"
+    "layout(std430, binding = OIT_BINDING_REPORT) buffer oit_picks { uint oit_pick[]; }; // x, y, layer; layers, found; record\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    ivec2 where = ivec2(oit_pick[0], oit_pick[1]) - oit_area.xy;\n"
+    "    uint self = gl_LocalInvocationID.x, layer = oit_pick[2], base, n;\n"
+    "    bool fits = oit_find_run(uint(where.y) * uint(oit_area.z) + uint(where.x), base, n);\n"
+    "    bool found = fits && layer < n;\n"
+    "    if (self == 0u) {\n"
+    "        oit_pick[3] = n;\n"
+    "        oit_pick[4] = found ? 1u : 0u;\n"
+    "    }\n"
+    "    for (uint i = self; found && i < n; i += 128u) {\n"
+    "        uint at = base + i * uint(OIT_VECTORS), before = 0u;\n"
+    "        for (uint k = 0u; k < n; ++k)\n"
+    "            before += oit_after(at, base + k * uint(OIT_VECTORS)) ? 1u : 0u;\n"
+    "        for (uint k = 0u; before == layer && k < uint(OIT_VECTORS); ++k)\n"
+    "            for (int lane = 0; lane < OIT_LANES; ++lane)\n"
+    "                oit_pick[5u + k * uint(OIT_LANES) + uint(lane)] = oit_data[at + k][lane];\n"
+    "    }\n"
     "}\n",
     0};
 static const char *const oit_i_shader_oit_record_glsl[] = {
@@ -1164,6 +1313,7 @@ static const char *const oit_i_shader_oit_tops_comp[] = {
 /* ---- GL: enumerants and the function table ---------------------------------------------------------------------- */
 
 #define OIT_I_GL_ACTIVE_UNIFORMS 0x8B86u
+#define OIT_I_GL_ALWAYS 0x0207u
 #define OIT_I_GL_ALREADY_SIGNALED 0x911Au
 #define OIT_I_GL_BLEND 0x0BE2u
 #define OIT_I_GL_BLEND_DST_ALPHA 0x80CAu
@@ -1353,7 +1503,14 @@ typedef struct oit_i_gl {
 /* ---- the context ------------------------------------------------------------------------------------------------ */
 
 /* Buffers; the first three by their binding points. */
-enum { OIT_I_PIXELS, OIT_I_FRAGMENTS, OIT_I_REPORT, OIT_I_UNIFORMS = OIT_I_REPORT + 3, OIT_I_BUFFER_COUNT };
+enum {
+    OIT_I_PIXELS,
+    OIT_I_FRAGMENTS,
+    OIT_I_REPORT,
+    OIT_I_UNIFORMS = OIT_I_REPORT + 3,
+    OIT_I_PICKED,
+    OIT_I_BUFFER_COUNT = OIT_I_PICKED + OIT_MAX_PICKS
+};
 #define OIT_I_REPORTS 3
 
 /* Runs are composed by programs for so many fragments, the last for all that are deeper. */
@@ -1378,7 +1535,9 @@ enum {
     OIT_I_PROGRAM_FILL,
     OIT_I_PROGRAM_FILL_LIT,
     OIT_I_PROGRAM_COMPOSE, /* one a class, then that of the tail; all once more for the second draw */
-    OIT_I_PROGRAMS = OIT_I_PROGRAM_COMPOSE + 2 * (OIT_I_CLASSES + 1)
+    OIT_I_PROGRAM_PICK = OIT_I_PROGRAM_COMPOSE + 2 * (OIT_I_CLASSES + 1),
+    OIT_I_PROGRAM_DEPTH,
+    OIT_I_PROGRAMS
 };
 
 typedef struct oit_i_surface {
@@ -1389,8 +1548,18 @@ typedef struct oit_i_surface {
 typedef struct oit_i_block {
     int32_t area[4];
     oit_i_u pool[4], step[4], above[4];
-    float light[4];
+    float light[4], output[4];
 } oit_i_block;
+
+/* A fragment that is asked for: free, asked for, left to the GPU, known without it (outside of the viewport). */
+enum { OIT_I_PICK_FREE, OIT_I_PICK_ASKED, OIT_I_PICK_RUNS, OIT_I_PICK_OUTSIDE };
+#define OIT_I_PICK_WORDS 32 /* x, y, layer; layers, found; the record */
+
+typedef struct oit_i_pick_slot {
+    int state, x, y, layer;
+    uint64_t turn, frame;
+    void *fence;
+} oit_i_pick_slot;
 
 #define OIT_I_HEADER_WORDS 16
 #define OIT_I_SCAN_BLOCK 1024
@@ -1430,7 +1599,10 @@ typedef enum oit_i_step {
     OIT_I_STEP_MEASURE, /* OIT_FIT_WAIT: totals to the report, and read */
     OIT_I_STEP_FILL,
     OIT_I_STEP_FILLED, /* what is stored is the last part, and waits for oit_compose */
+    OIT_I_STEP_PICK,
     OIT_I_STEP_COMPOSE,
+    OIT_I_STEP_DEPTH,
+    OIT_I_STEP_COMPOSED,
     OIT_I_STEP_REPORT,
     OIT_I_STEP_DONE
 } oit_i_step;
@@ -1470,6 +1642,9 @@ struct oit_context {
     int compose_index;
     oit_i_u bands;
     int in_frame, saved_state;
+    oit_i_pick_slot picks[OIT_MAX_PICKS];
+    uint64_t pick_turns;
+    int pick; /* the slot of the present pass */
 };
 
 /* ---- text without stdio ----------------------------------------------------------------------------------------- */
@@ -1559,8 +1734,8 @@ OIT_I_API const char *oit_result_string(oit_result result) {
 }
 
 OIT_I_API const char *oit_pass_kind_name(oit_pass_kind kind) {
-    static const char *const names[OIT_PASS_KIND_COUNT] = {"clear",  "count",  "sum",  "tops",
-                                                           "spread", "report", "fill", "compose"};
+    static const char *const names[OIT_PASS_KIND_COUNT] = {"clear",  "count", "sum",     "tops", "spread",
+                                                           "report", "fill",  "compose", "pick", "depth"};
     return (unsigned)kind < (unsigned)OIT_PASS_KIND_COUNT ? names[kind] : "not a pass";
 }
 
@@ -2087,7 +2262,7 @@ static void oit_i_apply(const oit_context *oit, const oit_state *state) {
     oit_i_set_depth_range(oit, 0.0, 1.0);
     oit_i_switch(oit, OIT_I_GL_DEPTH_TEST, state->depth_test);
     gl->gl_DepthFunc(state->depth_func);
-    gl->gl_DepthMask(0);
+    gl->gl_DepthMask((unsigned char)state->depth_write);
     if (!oit->info.es)
         gl->gl_PolygonMode(OIT_I_GL_FRONT_AND_BACK, OIT_I_GL_FILL);
     func[0] = state->blend_source;
@@ -2332,11 +2507,22 @@ static void oit_i_compute_source(oit_i_source *source, int program) {
 }
 
 static int oit_i_is_compute(int program) {
-    return program <= OIT_I_PROGRAM_REPORT;
+    return program <= OIT_I_PROGRAM_REPORT || program == OIT_I_PROGRAM_PICK;
 }
 
 static int oit_i_is_surface(int program) {
     return program >= OIT_I_PROGRAM_COUNT && program <= OIT_I_PROGRAM_FILL_LIT;
+}
+
+/* Picking, and the depth of the composite: records in their order, without networks. */
+static void oit_i_ordered_source(oit_i_source *source, int program) {
+    oit_i_add(source, "#define OIT_CLASS 1\n#define OIT_DEEP 0\n");
+    oit_i_add_chunks(source, oit_i_shader_oit_frame_block_glsl);
+    oit_i_add_chunks(source, oit_i_shader_oit_record_glsl);
+    oit_i_add_chunks(source, oit_i_shader_oit_ordered_glsl);
+    if (program == OIT_I_PROGRAM_DEPTH)
+        oit_i_add_chunks(source, oit_i_shader_oit_compose_glsl);
+    oit_i_add_chunks(source, program == OIT_I_PROGRAM_PICK ? oit_i_shader_oit_pick_comp : oit_i_shader_oit_depth_frag);
 }
 
 /* The whole text of one stage of a built-in program; dual: there is dual-source blending. */
@@ -2353,7 +2539,9 @@ static void oit_i_program_source(oit_i_source *source, int program, oit_stage st
         return;
     }
     oit_i_add_preamble(source, es, preamble);
-    if (oit_i_is_compute(program)) {
+    if (program == OIT_I_PROGRAM_PICK || (program == OIT_I_PROGRAM_DEPTH && stage == OIT_FRAGMENT)) {
+        oit_i_ordered_source(source, program);
+    } else if (oit_i_is_compute(program)) {
         oit_i_compute_source(source, program);
     } else if (stage == OIT_VERTEX) {
         oit_i_add_chunks(source, oit_i_shader_oit_fullscreen_vert);
@@ -2555,6 +2743,11 @@ static void oit_i_drop_fences(oit_context *oit) {
             oit->gl.gl_DeleteSync(oit->fences[i]);
         oit->fences[i] = 0;
     }
+    for (i = 0; i < OIT_MAX_PICKS; ++i) {
+        if (oit->picks[i].fence)
+            oit->gl.gl_DeleteSync(oit->picks[i].fence);
+        oit->picks[i].fence = 0;
+    }
 }
 
 static void oit_i_drop_buffers(oit_context *oit) {
@@ -2567,6 +2760,7 @@ static void oit_i_drop_buffers(oit_context *oit) {
         oit->sizes[i] = 0;
     }
     oit->capacity = 0;
+    memset(oit->picks, 0, sizeof oit->picks);
 }
 
 OIT_I_API oit_result oit_release(oit_context *oit) {
@@ -2799,6 +2993,11 @@ static int oit_i_all_finite(const float *numbers, int count) {
 static oit_result oit_i_check_frame(oit_context *oit, const oit_frame *frame) {
     if (!oit_i_all_finite(&frame->background_weight, 1) || !oit_i_all_finite(frame->light, 3))
         return oit_i_fail(&oit->desc, OIT_INVALID_ARGUMENT, "oit_begin", "a number of the frame is not finite");
+    if ((unsigned)frame->depth > (unsigned)OIT_DEPTH_THRESHOLD)
+        return oit_i_fail(&oit->desc, OIT_INVALID_ARGUMENT, "oit_begin", "frame.depth is none of its enumerators");
+    if (frame->depth == OIT_DEPTH_THRESHOLD && !(oit_i_all_finite(&frame->depth_threshold, 1) &&
+                                                 frame->depth_threshold > 0.0f && frame->depth_threshold <= 1.0f))
+        return oit_i_fail(&oit->desc, OIT_INVALID_ARGUMENT, "oit_begin", "frame.depth_threshold is not in ]0,1]");
     if (frame->width < 0 || frame->height < 0)
         return oit_i_fail(&oit->desc, OIT_INVALID_ARGUMENT, "oit_begin", "frame.width or frame.height is negative");
     if (frame->width > oit->max_viewport[0] || frame->height > oit->max_viewport[1])
@@ -2812,14 +3011,26 @@ static oit_result oit_i_check_frame(oit_context *oit, const oit_frame *frame) {
     return OIT_OK;
 }
 
-static oit_result oit_i_check_target(oit_context *oit) {
-    int32_t bound = 0, samples = 0;
-    oit->gl.gl_BindFramebuffer(OIT_I_GL_DRAW_FRAMEBUFFER, oit->frame.framebuffer);
+static oit_result oit_i_check_framebuffer(oit_context *oit, oit_i_u framebuffer, const char *name) {
+    int32_t bound = 0;
+    oit->gl.gl_BindFramebuffer(OIT_I_GL_DRAW_FRAMEBUFFER, framebuffer);
     /* A name that is none is not bound, and what was bound before would pass for it. */
     oit->gl.gl_GetIntegerv(OIT_I_GL_DRAW_FRAMEBUFFER_BINDING, &bound);
-    if ((oit_i_u)bound != oit->frame.framebuffer ||
+    if ((oit_i_u)bound != framebuffer ||
         oit->gl.gl_CheckFramebufferStatus(OIT_I_GL_DRAW_FRAMEBUFFER) != OIT_I_GL_FRAMEBUFFER_COMPLETE)
-        return oit_i_fail(&oit->desc, OIT_TARGET_INCOMPLETE, "oit_begin", "frame.framebuffer");
+        return oit_i_fail(&oit->desc, OIT_TARGET_INCOMPLETE, "oit_begin", name);
+    return OIT_OK;
+}
+
+static oit_result oit_i_check_target(oit_context *oit) {
+    int32_t samples = 0;
+    oit_result result = OIT_OK;
+    if (oit->frame.depth != OIT_DEPTH_NONE)
+        result = oit_i_check_framebuffer(oit, oit->frame.depth_framebuffer, "frame.depth_framebuffer");
+    if (result == OIT_OK)
+        result = oit_i_check_framebuffer(oit, oit->frame.framebuffer, "frame.framebuffer");
+    if (result != OIT_OK)
+        return result;
     oit->gl.gl_GetIntegerv(OIT_I_GL_SAMPLES, &samples);
     return samples > 0 ? oit_i_fail(&oit->desc, OIT_TARGET_MULTISAMPLED, "oit_begin", "frame.framebuffer") : OIT_OK;
 }
@@ -2852,6 +3063,13 @@ static void oit_i_choose_programs(const oit_context *oit, oit_i_block *block) {
     block->step[1] = before;
 }
 
+/* See oit_i_check_frame for what the threshold may be. */
+static float oit_i_depth_limit(const oit_frame *frame) {
+    if (frame->depth == OIT_DEPTH_THRESHOLD)
+        return frame->depth_threshold;
+    return frame->depth == OIT_DEPTH_FIRST ? 2.0f : 0.5f;
+}
+
 static oit_i_block oit_i_make_block(const oit_context *oit) {
     const oit_frame *frame = &oit->frame;
     float weight = frame->background_weight;
@@ -2870,6 +3088,7 @@ static oit_i_block oit_i_make_block(const oit_context *oit) {
     oit_i_choose_programs(oit, &block);
     oit_i_unit_vector(block.light, frame->light);
     block.light[3] = weight == 0.0f ? 1.0f : weight < 0.0f ? 0.0f : weight > 1.0f ? 1.0f : weight;
+    block.output[0] = oit_i_depth_limit(frame);
     return block;
 }
 
@@ -2886,6 +3105,8 @@ static oit_result oit_i_make_programs(oit_context *oit) {
         if (!tail || oit->desc.fit == OIT_FIT_ASYNC)
             result = oit_i_make_program(oit, i);
     }
+    if (result == OIT_OK && oit->frame.depth != OIT_DEPTH_NONE)
+        result = oit_i_make_program(oit, OIT_I_PROGRAM_DEPTH);
     return result;
 }
 
@@ -2967,7 +3188,9 @@ OIT_I_API oit_result oit_begin(oit_context *oit, const oit_frame *frame) {
      spread   pixels: sums, counts read; starts written (and the tail cleared)   tops
      report   pixels: totals read; report written     spread (totals), fill and compose (extra, at the end)
      fill     pixels: starts read, counts atomics; fragments written             spread; compose of the band before
+     pick     pixels, fragments           read; one of the buffers for picks written   fill
      compose  pixels, fragments           read        fill
+     depth    pixels, fragments           read        fill
 
    What the CPU maps (report; starts, to cut bands) takes a barrier of buffer updates, and then its fence, or waits. */
 static oit_i_u oit_i_barrier_before(oit_pass_kind kind) {
@@ -2985,6 +3208,10 @@ static oit_i_u oit_i_barrier_before(oit_pass_kind kind) {
     case OIT_PASS_REPORT:
         return OIT_I_GL_SHADER_STORAGE_BARRIER;
     case OIT_PASS_FILL:
+        return OIT_I_GL_SHADER_STORAGE_BARRIER;
+    case OIT_PASS_PICK:
+        return OIT_I_GL_SHADER_STORAGE_BARRIER;
+    case OIT_PASS_DEPTH: /* compose has drawn nothing where nothing was stored */
         return OIT_I_GL_SHADER_STORAGE_BARRIER;
     default: /* compose; its draws only read, so once before the first */
         return OIT_I_GL_SHADER_STORAGE_BARRIER;
@@ -3015,6 +3242,10 @@ static int oit_i_program_of(const oit_context *oit, oit_pass_kind kind) {
         return OIT_I_PROGRAM_REPORT;
     case OIT_PASS_FILL:
         return oit_i_is_lit(oit) ? OIT_I_PROGRAM_FILL_LIT : OIT_I_PROGRAM_FILL;
+    case OIT_PASS_PICK:
+        return OIT_I_PROGRAM_PICK;
+    case OIT_PASS_DEPTH:
+        return OIT_I_PROGRAM_DEPTH;
     default:
         return OIT_I_PROGRAM_COMPOSE + oit->compose_index;
     }
@@ -3024,7 +3255,7 @@ static void oit_i_fill_groups(const oit_context *oit, oit_pass_kind kind, oit_st
     oit_i_u blocks = oit->block.pool[3];
     state->groups[0] = state->groups[1] = state->groups[2] = 1;
     /* A dimension has at least 65,535 groups everywhere. */
-    if (kind != OIT_PASS_TOPS && kind != OIT_PASS_REPORT && blocks > 1) {
+    if (kind != OIT_PASS_TOPS && kind != OIT_PASS_REPORT && kind != OIT_PASS_PICK && blocks > 1) {
         state->groups[0] = blocks < 32768u ? blocks : 32768u;
         state->groups[1] = (blocks + state->groups[0] - 1) / state->groups[0];
     }
@@ -3050,7 +3281,7 @@ static void oit_i_fill_blend(const oit_context *oit, oit_state *state) {
 static void oit_i_fill_pass(const oit_context *oit, oit_pass_kind kind, oit_pass *pass) {
     oit_state *state = &pass->state;
     const int *part = oit->part;
-    int compose = kind == OIT_PASS_COMPOSE, i;
+    int compose = kind == OIT_PASS_COMPOSE, depth = kind == OIT_PASS_DEPTH, i;
     memset(pass, 0, sizeof *pass);
     pass->kind = kind;
     pass->name = oit_pass_kind_name(kind);
@@ -3065,11 +3296,13 @@ static void oit_i_fill_pass(const oit_context *oit, oit_pass_kind kind, oit_pass
     state->uniform_binding = oit->desc.uniform_binding;
     state->blend_source = OIT_I_GL_ONE;
     state->depth_func = oit->desc.reversed_z ? OIT_I_GL_GREATER : OIT_I_GL_LESS;
-    if (!oit_i_is_hosts(kind) && !compose) {
+    if (!oit_i_is_hosts(kind) && !compose && !depth) {
+        if (kind == OIT_PASS_PICK)
+            state->storage_buffers[2] = oit->buffers[OIT_I_PICKED + oit->pick];
         oit_i_fill_groups(oit, kind, state);
         return;
     }
-    state->framebuffer = oit->frame.framebuffer;
+    state->framebuffer = depth ? oit->frame.depth_framebuffer : oit->frame.framebuffer;
     state->viewport[0] = oit->frame.x;
     state->viewport[1] = oit->frame.y;
     state->viewport[2] = oit->frame.width;
@@ -3079,8 +3312,14 @@ static void oit_i_fill_pass(const oit_context *oit, oit_pass_kind kind, oit_pass
     state->scissor[2] = kind == OIT_PASS_COUNT ? oit->frame.width : part[2];
     state->scissor[3] = kind == OIT_PASS_COUNT ? oit->slab_rows : part[3];
     state->depth_test = !compose;
-    if (compose) {
+    if (depth) {
+        state->depth_func = OIT_I_GL_ALWAYS;
+        state->color_write = oit->frame.depth_to_color != 0;
+        state->depth_write = !state->color_write;
+    }
+    if (compose)
         oit_i_fill_blend(oit, state);
+    if (compose || depth) {
         state->vertex_array = oit->vertex_array;
         state->vertex_count = 3;
     }
@@ -3098,6 +3337,202 @@ static void oit_i_execute(const oit_context *oit, const oit_state *state) {
     oit->gl.gl_DrawArrays(OIT_I_GL_TRIANGLES, 0, state->vertex_count);
     oit->gl.gl_BindVertexArray((oit_i_u)vertex_array);
 }
+
+/* ---- picking ---------------------------------------------------------------------------------------------------- */
+
+static int oit_i_is_inside(int x, int y, int left, int bottom, int width, int height) {
+    return x >= left && y >= bottom && x - left < width && y - bottom < height;
+}
+
+/* One that is asked for in the part that is stored now; -1: none. */
+static int oit_i_next_pick(const oit_context *oit) {
+    const int *part = oit->part;
+    int i;
+    for (i = 0; i < OIT_MAX_PICKS; ++i)
+        if (oit->picks[i].state == OIT_I_PICK_ASKED &&
+            oit_i_is_inside(oit->picks[i].x, oit->picks[i].y, oit->frame.x + part[0],
+                            oit->frame.y + oit->slab_y + part[1], part[2], part[3]))
+            return i;
+    return -1;
+}
+
+/* The end of a frame: fences behind what the GPU will know; what lies outside of the viewport is known now. */
+static void oit_i_end_picks(oit_context *oit) {
+    const oit_frame *frame = &oit->frame;
+    int i, barrier = 0;
+    for (i = 0; i < OIT_MAX_PICKS; ++i) {
+        oit_i_pick_slot *pick = &oit->picks[i];
+        if (pick->state == OIT_I_PICK_RUNS && pick->frame == oit->frame_number && !pick->fence) {
+            if (!barrier++)
+                oit->gl.gl_MemoryBarrier(OIT_I_GL_BUFFER_UPDATE_BARRIER);
+            pick->fence = oit->gl.gl_FenceSync(OIT_I_GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+            if (!pick->fence) /* the next frame answers */
+                pick->state = OIT_I_PICK_ASKED;
+        }
+        if (pick->state == OIT_I_PICK_ASKED && oit->step == OIT_I_STEP_DONE &&
+            !oit_i_is_inside(pick->x, pick->y, frame->x, frame->y, frame->width, frame->height)) {
+            pick->state = OIT_I_PICK_OUTSIDE;
+            pick->frame = oit->frame_number;
+        }
+    }
+}
+
+static oit_result oit_i_ask(oit_context *oit, int slot) {
+    const oit_i_pick_slot *pick = &oit->picks[slot];
+    int index = OIT_I_PICKED + slot;
+    oit_i_u words[3];
+    if (!oit->sizes[index] && !oit_i_resize(oit, index, 4 * OIT_I_PICK_WORDS, OIT_I_GL_DYNAMIC_READ))
+        return oit_i_fail(&oit->desc, OIT_OUT_OF_MEMORY, "oit_pick_begin", "no memory for the answer");
+    words[0] = (oit_i_u)pick->x;
+    words[1] = (oit_i_u)pick->y;
+    words[2] = (oit_i_u)pick->layer;
+    oit->gl.gl_BindBuffer(OIT_I_GL_COPY_WRITE_BUFFER, oit->buffers[index]);
+    oit->gl.gl_BufferSubData(OIT_I_GL_COPY_WRITE_BUFFER, 0, (ptrdiff_t)sizeof words, words);
+    return OIT_OK;
+}
+
+OIT_I_API oit_result oit_pick_begin(oit_context *oit, int x, int y, int layer) {
+    oit_result result;
+    int32_t bound;
+    int slot = 0;
+    if (!oit)
+        return OIT_INVALID_ARGUMENT;
+    if (layer < 0)
+        return oit_i_fail(&oit->desc, OIT_INVALID_ARGUMENT, "oit_pick_begin", "layer is negative");
+    while (slot < OIT_MAX_PICKS && oit->picks[slot].state != OIT_I_PICK_FREE)
+        ++slot;
+    if (slot == OIT_MAX_PICKS)
+        return oit_i_fail(&oit->desc, OIT_WRONG_ORDER, "oit_pick_begin", "OIT_MAX_PICKS are under way");
+    result = oit_i_make_program(oit, OIT_I_PROGRAM_PICK);
+    if (result != OIT_OK)
+        return result;
+    oit->picks[slot].x = x;
+    oit->picks[slot].y = y;
+    oit->picks[slot].layer = layer;
+    bound = oit_i_borrow_target(oit);
+    result = oit_i_ask(oit, slot);
+    oit_i_return_target(oit, bound);
+    if (result != OIT_OK)
+        return result;
+    oit->picks[slot].turn = ++oit->pick_turns;
+    oit->picks[slot].state = OIT_I_PICK_ASKED;
+    return OIT_OK;
+}
+
+static float oit_i_as_float(oit_i_u bits) {
+    float x;
+    memcpy(&x, &bits, sizeof x);
+    return x;
+}
+
+static float oit_i_half(oit_i_u bits) {
+    int exponent = (int)(bits >> 10 & 31u), mantissa = (int)(bits & 1023u);
+    double x = exponent ? ldexp(1024.0 + mantissa, exponent - 25) : ldexp((double)mantissa, -24);
+    return (float)(bits & 0x8000u ? -x : x);
+}
+
+static void oit_i_read_color(const oit_desc *desc, const oit_i_u *words, oit_pick *pick) {
+    int i;
+    for (i = 0; i < 4; ++i) {
+        if (desc->color == OIT_COLOR_FLOAT)
+            pick->color[i] = oit_i_as_float(words[i]);
+        else if (desc->color == OIT_COLOR_HALF)
+            pick->color[i] = oit_i_half(words[i / 2] >> 16 * (i % 2) & 0xffffu);
+        else
+            pick->color[i] = i < 3 ? (float)(words[0] >> 10 * i & 1023u) / 1023.0f : oit_i_as_float(words[1]);
+    }
+}
+
+/* Out of oit_pack_normal. */
+static void oit_i_read_normal(oit_i_u word, float normal[3]) {
+    double x[2], z, length;
+    int i;
+    for (i = 0; i < 2; ++i) {
+        int bits = (int)(word >> 16 * i & 0xffffu);
+        x[i] = (bits > 32767 ? bits - 65536 : bits) / 32767.0;
+        x[i] = x[i] < -1.0 ? -1.0 : x[i];
+    }
+    z = 1.0 - fabs(x[0]) - fabs(x[1]);
+    if (z < 0.0) {
+        double folded = (1.0 - fabs(x[1])) * (x[0] < 0.0 ? -1.0 : 1.0);
+        x[1] = (1.0 - fabs(x[0])) * (x[1] < 0.0 ? -1.0 : 1.0);
+        x[0] = folded;
+    }
+    length = sqrt(x[0] * x[0] + x[1] * x[1] + z * z);
+    normal[0] = (float)(x[0] / length);
+    normal[1] = (float)(x[1] / length);
+    normal[2] = (float)(z / length);
+}
+
+static void oit_i_read_record(const oit_desc *desc, const oit_i_u *words, oit_pick *pick) {
+    oit_i_record at = oit_i_layout(desc);
+    int i;
+    pick->depth = oit_i_as_float(desc->reversed_z ? 0x7fffffffu - words[0] : words[0]);
+    oit_i_read_color(desc, words + at.color, pick);
+    if (at.part)
+        pick->part = words[at.part];
+    if (at.key)
+        pick->key = words[at.key];
+    if (desc->fields & OIT_FIELD_BLEND)
+        pick->blend = at.blend ? words[at.blend] : words[at.color] >> 30;
+    if (at.normal)
+        oit_i_read_normal(words[at.normal], pick->normal);
+    for (i = 0; i < 2 && at.uv; ++i)
+        pick->uv[i] = oit_i_as_float(words[at.uv + i]);
+    for (i = 0; i < desc->host_words; ++i)
+        pick->words[i] = words[at.host + i];
+}
+
+/* The slot's fence has passed. The target must be borrowed. */
+static oit_result oit_i_read_pick(oit_context *oit, int slot, oit_pick *pick) {
+    const void *mapped;
+    oit_i_u words[OIT_I_PICK_WORDS];
+    oit->gl.gl_BindBuffer(OIT_I_GL_COPY_WRITE_BUFFER, oit->buffers[OIT_I_PICKED + slot]);
+    mapped = oit->gl.gl_MapBufferRange(OIT_I_GL_COPY_WRITE_BUFFER, 0, (ptrdiff_t)sizeof words, OIT_I_GL_MAP_READ_BIT);
+    if (!mapped)
+        return oit_i_fail(&oit->desc, OIT_OUT_OF_MEMORY, "oit_pick_result", "the answer cannot be mapped");
+    memcpy(words, mapped, sizeof words);
+    oit->gl.gl_UnmapBuffer(OIT_I_GL_COPY_WRITE_BUFFER);
+    pick->layers = words[3];
+    pick->found = words[4] == 1u;
+    if (pick->found)
+        oit_i_read_record(&oit->desc, words + 5, pick);
+    return OIT_OK;
+}
+
+OIT_I_API oit_result oit_pick_result(oit_context *oit, int wait, oit_pick *pick) {
+    oit_result result = OIT_OK;
+    oit_i_pick_slot *first = 0;
+    int32_t bound;
+    int i;
+    if (!oit || !pick)
+        return OIT_INVALID_ARGUMENT;
+    for (i = 0; i < OIT_MAX_PICKS; ++i)
+        if (oit->picks[i].state != OIT_I_PICK_FREE && (!first || oit->picks[i].turn < first->turn))
+            first = &oit->picks[i];
+    if (!first)
+        return oit_i_fail(&oit->desc, OIT_WRONG_ORDER, "oit_pick_result", "none is under way");
+    if (first->state != OIT_I_PICK_OUTSIDE && !first->fence)
+        return wait ? oit_i_fail(&oit->desc, OIT_WRONG_ORDER, "oit_pick_result", "no frame that answers has ended")
+                    : OIT_NOT_READY;
+    if (first->fence && !oit_i_fence_passed(oit, first->fence, wait))
+        return OIT_NOT_READY;
+    memset(pick, 0, sizeof *pick);
+    pick->x = first->x;
+    pick->y = first->y;
+    pick->layer = first->layer;
+    pick->frame = first->frame;
+    if (first->fence) {
+        bound = oit_i_borrow_target(oit);
+        result = oit_i_read_pick(oit, (int)(first - oit->picks), pick);
+        oit_i_return_target(oit, bound);
+        oit->gl.gl_DeleteSync(first->fence);
+    }
+    memset(first, 0, sizeof *first);
+    return result;
+}
+
+/* ---- the steps of a frame ---------------------------------------------------------------------------------------- */
 
 static int oit_i_part_end(const oit_context *oit) {
     return oit->part[1] * oit->frame.width + oit->part[0] + (oit->part[3] - 1) * oit->frame.width + oit->part[2];
@@ -3211,8 +3646,22 @@ static void oit_i_skip_draws(oit_context *oit) {
         ++oit->compose_index;
 }
 
+/* What there is none of: picks in this part, draws, a depth. */
+static void oit_i_skip_steps(oit_context *oit) {
+    if (oit->step == OIT_I_STEP_PICK) {
+        oit->pick = oit_i_next_pick(oit);
+        if (oit->pick < 0)
+            oit->step = OIT_I_STEP_COMPOSE;
+    }
+    if (oit->step == OIT_I_STEP_COMPOSE) {
+        oit_i_skip_draws(oit);
+        if (oit->compose_index == oit_i_compose_draws(oit))
+            oit->step = oit->frame.depth != OIT_DEPTH_NONE ? OIT_I_STEP_DEPTH : OIT_I_STEP_COMPOSED;
+    }
+}
+
 static void oit_i_start_composing(oit_context *oit) {
-    oit->step = OIT_I_STEP_COMPOSE;
+    oit->step = OIT_I_STEP_PICK;
     oit->compose_index = 0;
 }
 
@@ -3239,8 +3688,17 @@ static int oit_i_take_step(oit_context *oit, oit_pass_kind *kind) {
     case OIT_I_STEP_FILLED:
     case OIT_I_STEP_DONE:
         return 0;
+    case OIT_I_STEP_PICK:
+        *kind = OIT_PASS_PICK;
+        oit->picks[oit->pick].state = OIT_I_PICK_RUNS;
+        oit->picks[oit->pick].frame = oit->frame_number;
+        return 1;
     case OIT_I_STEP_COMPOSE:
         *kind = OIT_PASS_COMPOSE;
+        return 1;
+    case OIT_I_STEP_DEPTH:
+        *kind = OIT_PASS_DEPTH;
+        oit->step = OIT_I_STEP_COMPOSED;
         return 1;
     case OIT_I_STEP_REPORT:
         *kind = OIT_PASS_REPORT;
@@ -3266,12 +3724,10 @@ OIT_I_API int oit_next_pass(oit_context *oit, oit_pass *pass) {
     if (!oit || !pass || !oit->in_frame)
         return 0;
     while (oit->failure == OIT_OK) {
-        if (oit->step == OIT_I_STEP_COMPOSE) {
-            oit_i_skip_draws(oit);
-            if (oit->compose_index == oit_i_compose_draws(oit)) {
-                oit->failure = oit_i_after_part(oit);
-                continue;
-            }
+        oit_i_skip_steps(oit);
+        if (oit->step == OIT_I_STEP_COMPOSED) {
+            oit->failure = oit_i_after_part(oit);
+            continue;
         }
         was_measure = oit->step == OIT_I_STEP_MEASURE;
         was_spread = oit->step == OIT_I_STEP_SPREAD;
@@ -3330,6 +3786,7 @@ OIT_I_API oit_result oit_end(oit_context *oit) {
         oit->gl.gl_MemoryBarrier(OIT_I_GL_BUFFER_UPDATE_BARRIER);
         oit->fences[oit->slot] = oit->gl.gl_FenceSync(OIT_I_GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
     }
+    oit_i_end_picks(oit);
     if (oit->saved_state && oit->desc.state == OIT_STATE_LEAVE_DEFAULTS)
         oit_i_save_defaults(&oit->saved);
     if (oit->saved_state && oit->desc.state != OIT_STATE_LEAVE_DIRTY)

@@ -903,6 +903,41 @@ static const char *const shaders_i_shader_oit_compose_glsl[] = {
     "#define I(d, o) { s = s || x < d; uint t = d; d = s ? x : d; x = s ? t : x; t = o; o = s ? y : o; y = s ? t : y; }\n"
     "uint oit_order[OIT_CLASS + OIT_DEEP];\n",
     0};
+static const char *const shaders_i_shader_oit_depth_frag[] = {
+    "#line 1\n"
+    "// For: oit_buffers.h\n"
+    "// The depth of the composite: of the fragment with which the transmittance falls below oit_output.x. Where it never does,\n"
+    "// what the host has put there stays. Written as a depth and as a colour; masks say which of them is taken.\n"
+    "layout(location = 0) out highp vec4 oit_out;\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    ivec2 where = ivec2(gl_FragCoord.xy) - oit_area.xy;\n"
+    "    uint base, n, at = OIT_NONE;\n"
+    "    if (!oit_find_run(uint(where.y) * uint(oit_area.z) + uint(where.x), base, n))\n"
+    "        discard;\n"
+    "    for (uint i = 0u; i < n; ++i) {\n"
+    "        at = oit_next(base, n, at);\n"
+    "        oit_lay(at);\n"
+    "#if OIT_HAS_BLEND\n"
+    "        float through = max(oit_through.r, max(oit_through.g, oit_through.b));\n"
+    "#else\n"
+    "        float through = oit_through;\n"
+    "#endif\n"
+    "        if (through < oit_output.x) {\n"
+    "#if OIT_REVERSED_Z\n"
+    "            float depth = uintBitsToFloat(0x7fffffffu - oit_record_depth(at));\n"
+    "#else\n"
+    "            float depth = uintBitsToFloat(oit_record_depth(at));\n"
+    "#endif\n"
+    "            gl_FragDepth = depth;\n"
+    "            oit_out = vec4(depth);\n"
+    "            return;\n"
+    "        }\n"
+    "    }\n"
+    "    discard;\n"
+    "}\n",
+    0};
 static const char *const shaders_i_shader_oit_frame_block_glsl[] = {
     "#line 1\n"
     "// For: oit_buffers.h\n"
@@ -914,6 +949,7 @@ static const char *const shaders_i_shader_oit_frame_block_glsl[] = {
     "    highp uvec4 oit_step;  // x: 1 with the first slab of a frame, y: what is deeper is left to the program for all depths\n"
     "    highp uvec4 oit_above; // what is not deeper than this is left to the program before: of up to 8, 16, 32, 64\n"
     "    highp vec4 oit_light;  // xyz: toward the light, unit length; zero: no shading. w: weight of the background\n"
+    "    highp vec4 oit_output; // x: transmittance below which the depth of the composite is taken\n"
     "};\n"
     "\n"
     "// The pixel buffer: 16 words of totals, then two words a pixel (where its run starts; how many fragments are still to\n"
@@ -945,6 +981,73 @@ static const char *const shaders_i_shader_oit_fullscreen_vert[] = {
     "{\n"
     "    vec2 corner = vec2(float((gl_VertexID << 1) & 2), float(gl_VertexID & 2));\n"
     "    gl_Position = vec4(2.0 * corner - 1.0, 0.0, 1.0);\n"
+    "}\n",
+    0};
+static const char *const shaders_i_shader_oit_ordered_glsl[] = {
+    "#line 1\n"
+    "// For: oit_buffers.h\n"
+    "// A pixel's run in its order without a sort, for what looks at few of its records: picking, the depth of the composite.\n"
+    "\n"
+    "// Where the run of pixel p lies, and how many records it has; false where it did not fit into the pool.\n"
+    "bool oit_find_run(uint p, out uint base, out uint n)\n"
+    "{\n"
+    "    uint start = oit_pixel[OIT_START(p)], end = oit_pixel[OIT_START(p + 1u)];\n"
+    "    bool fits = true;\n"
+    "#if OIT_ASYNC\n"
+    "    fits = end <= oit_pool.z;\n"
+    "#endif\n"
+    "    // Fragments that were counted and did not come have left the first places empty.\n"
+    "    if (fits)\n"
+    "        start += uint(max(int(oit_pixel[OIT_LEFT(p)]), 0));\n"
+    "    n = end - start;\n"
+    "    base = (start - oit_pool.y) * uint(OIT_VECTORS);\n"
+    "    return fits;\n"
+    "}\n"
+    "\n"
+    "// The record that comes next after `last`, or the first one after OIT_NONE; OIT_NONE after the last.\n"
+    "uint oit_next(uint base, uint n, uint last)\n"
+    "{\n"
+    "    uint best = OIT_NONE, nearest = OIT_NONE;\n"
+    "    uint before = last == OIT_NONE ? 0u : oit_record_depth(last);\n"
+    "    for (uint i = 0u; i < n; ++i) {\n"
+    "        uint at = base + i * uint(OIT_VECTORS), depth = oit_record_depth(at);\n"
+    "        if (depth < before || depth > nearest)\n"
+    "            continue;\n"
+    "        if (last != OIT_NONE && depth == before && !oit_after(at, last))\n"
+    "            continue;\n"
+    "        if (best != OIT_NONE && depth == nearest && !oit_after(best, at))\n"
+    "            continue;\n"
+    "        best = at;\n"
+    "        nearest = depth;\n"
+    "    }\n"
+    "    return best;\n"
+    "}\n",
+    0};
+static const char *const shaders_i_shader_oit_pick_comp[] = {
+    "#line 1\n"
+    "// For: oit_buffers.h\n"
+    "// One fragment of one pixel, the one that `layer` others come before, with all its words; and how many there are.\n"
+    "layout(local_size_x = 128) in;\n"
+    "layout(std430, binding = OIT_BINDING_REPORT) buffer oit_picks { uint oit_pick[]; }; // x, y, layer; layers, found; record\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    ivec2 where = ivec2(oit_pick[0], oit_pick[1]) - oit_area.xy;\n"
+    "    uint self = gl_LocalInvocationID.x, layer = oit_pick[2], base, n;\n"
+    "    bool fits = oit_find_run(uint(where.y) * uint(oit_area.z) + uint(where.x), base, n);\n"
+    "    bool found = fits && layer < n;\n"
+    "    if (self == 0u) {\n"
+    "        oit_pick[3] = n;\n"
+    "        oit_pick[4] = found ? 1u : 0u;\n"
+    "    }\n"
+    "    for (uint i = self; found && i < n; i += 128u) {\n"
+    "        uint at = base + i * uint(OIT_VECTORS), before = 0u;\n"
+    "        for (uint k = 0u; k < n; ++k)\n"
+    "            before += oit_after(at, base + k * uint(OIT_VECTORS)) ? 1u : 0u;\n"
+    "        for (uint k = 0u; before == layer && k < uint(OIT_VECTORS); ++k)\n"
+    "            for (int lane = 0; lane < OIT_LANES; ++lane)\n"
+    "                oit_pick[5u + k * uint(OIT_LANES) + uint(lane)] = oit_data[at + k][lane];\n"
+    "    }\n"
     "}\n",
     0};
 static const char *const shaders_i_shader_oit_record_glsl[] = {
@@ -1935,8 +2038,11 @@ static const shaders_i_entry shaders_i_table[] = {
     {"oit_clear.comp", shaders_i_shader_oit_clear_comp, 1},
     {"oit_compose.frag", shaders_i_shader_oit_compose_frag, 1},
     {"oit_compose.glsl", shaders_i_shader_oit_compose_glsl, 1},
+    {"oit_depth.frag", shaders_i_shader_oit_depth_frag, 1},
     {"oit_frame_block.glsl", shaders_i_shader_oit_frame_block_glsl, 1},
     {"oit_fullscreen.vert", shaders_i_shader_oit_fullscreen_vert, 1},
+    {"oit_ordered.glsl", shaders_i_shader_oit_ordered_glsl, 1},
+    {"oit_pick.comp", shaders_i_shader_oit_pick_comp, 1},
     {"oit_record.glsl", shaders_i_shader_oit_record_glsl, 1},
     {"oit_report.comp", shaders_i_shader_oit_report_comp, 1},
     {"oit_scan.glsl", shaders_i_shader_oit_scan_glsl, 1},
