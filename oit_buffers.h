@@ -1,4 +1,4 @@
-/* oit_buffers.h - v0.2.0 - every fragment of every pixel: exact order-independent transparency - MIT licence, at the end
+/* oit_buffers.h - v0.3.0 - every fragment of every pixel: exact order-independent transparency - MIT licence, at the end
 
    DOES
    - keeps every fragment of every pixel in a buffer on the GPU, sorts each pixel's fragments and composes them front to
@@ -132,7 +132,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#define OIT_VERSION 200 /* major * 10000 + minor * 100 + patch */
+#define OIT_VERSION 300 /* major * 10000 + minor * 100 + patch */
 
 /* How the functions are declared; not for users. A file need not use all that are static in it. */
 #if !defined(OIT_STATIC)
@@ -187,6 +187,16 @@ typedef enum oit_fit {
     OIT_FIT_ASYNC /* never waits: what does not fit this frame is composed from the tail, and the pool grows for the next */
 } oit_fit;
 
+/* How fragments come to lie in the pool. All compose the same layers in the same order. */
+typedef enum oit_store_kind {
+    OIT_STORE_EXACT, /* counted, then filled: two geometry passes, runs that fit exactly */
+    OIT_STORE_PREDICT,
+    OIT_STORE_BUDGET,
+    OIT_STORE_LINKED,
+    OIT_STORE_BUCKETED,
+    OIT_STORE_FETCH
+} oit_store_kind;
+
 /* How a fragment's colour is kept. Bytes are those of a fragment with nothing else chosen; sizes go in steps of 8. */
 typedef enum oit_color {
     OIT_COLOR_8, /* for targets of 8 bits: rgb in 10 bits each, alpha as a 32-bit float; 16 bytes, of which 4 are free */
@@ -225,6 +235,7 @@ typedef struct oit_desc {
     int64_t max_block_bytes;   /* 0: what the context has; else storage blocks are taken to hold no more (for tests) */
     int first_storage_binding; /* three shader storage binding points from here on are ours */
     int uniform_binding;       /* uniform buffer binding point that is ours; 0: 14 */
+    oit_store_kind store;
 } oit_desc;
 
 typedef struct oit_info {
@@ -1598,7 +1609,7 @@ typedef enum oit_i_step {
     OIT_I_STEP_SPREAD,
     OIT_I_STEP_MEASURE, /* OIT_FIT_WAIT: totals to the report, and read */
     OIT_I_STEP_FILL,
-    OIT_I_STEP_FILLED, /* what is stored is the last part, and waits for oit_compose */
+    OIT_I_STEP_FILLED, /* all that is stored of the last part, which waits for oit_compose */
     OIT_I_STEP_PICK,
     OIT_I_STEP_COMPOSE,
     OIT_I_STEP_DEPTH,
@@ -1607,8 +1618,16 @@ typedef enum oit_i_step {
     OIT_I_STEP_DONE
 } oit_i_step;
 
+/* What a store does up to composing a slab, in this order; bands begin again at part_start. The last is
+   OIT_I_STEP_FILLED. */
+#define OIT_I_MAX_STEPS 12
+typedef struct oit_i_list {
+    unsigned char steps[OIT_I_MAX_STEPS];
+    oit_i_step part_start;
+} oit_i_list;
+
 #define OIT_I_MAX_STRINGS 24
-#define OIT_I_MAX_PREAMBLE 1400
+#define OIT_I_MAX_PREAMBLE 2000
 
 struct oit_context {
     oit_desc desc;
@@ -1633,6 +1652,7 @@ struct oit_context {
     int slot; /* of the frame's report; -1: none is free */
     oit_i_snapshot saved;
     oit_frame frame;
+    const oit_i_list *list; /* of the frame's steps */
     oit_i_step step;
     oit_result failure; /* of this frame */
     int rows, slab_y, slab_rows;
@@ -1964,6 +1984,10 @@ static const char *oit_i_bad_member(const oit_desc *desc) {
         return "OIT_STATE_NONE goes with OIT_FIT_ASYNC: a read-back is a state call";
     if ((unsigned)desc->color > (unsigned)OIT_COLOR_FLOAT || (desc->fields & ~OIT_FIELD_ALL) != 0)
         return "color or fields has bits that are none";
+    if ((unsigned)desc->store > (unsigned)OIT_STORE_FETCH)
+        return "store is none of its enumerators";
+    if (desc->store != OIT_STORE_EXACT)
+        return "store is one that this version does not have";
     if (desc->host_words < 0 || desc->host_words > OIT_MAX_HOST_WORDS)
         return "host_words is not in 0 ... 8";
     if (desc->ceiling_bytes < 0 || desc->max_block_bytes < 0)
@@ -2359,6 +2383,9 @@ static void oit_i_write_preamble(const oit_desc *desc, int es, char *at, size_t 
     oit_i_define(&text, "OIT_AT_UV", record.uv);
     oit_i_define(&text, "OIT_AT_HOST", record.host);
     oit_i_define(&text, "OIT_COLOR", (int)desc->color);
+    oit_i_define(&text, "OIT_STORE", (int)desc->store);
+    oit_i_put(&text, "#define OIT_EXACT 0\n#define OIT_PREDICT 1\n#define OIT_BUDGET 2\n");
+    oit_i_put(&text, "#define OIT_LINKED 3\n#define OIT_BUCKETED 4\n#define OIT_FETCH 5\n");
     oit_i_put(&text, "#define OIT_COLOR_8 0\n#define OIT_COLOR_HALF 1\n#define OIT_COLOR_FLOAT 2\n");
     oit_i_put(&text, "#define OIT_COUNT 0\n#define OIT_FILL 1\n");
     oit_i_put(&text, "#define OIT_MODE_OVER 0\n#define OIT_MODE_DUAL 1\n");
@@ -2495,19 +2522,21 @@ static void oit_i_compose_source(oit_i_source *source, int index, int mode, char
     oit_i_add_chunks(source, oit_i_shader_oit_compose_frag);
 }
 
+/* In the order of OIT_I_PROGRAM_*. */
+static const oit_i_strings oit_i_kernels[] = {oit_i_shader_oit_clear_comp, oit_i_shader_oit_sum_comp,
+                                              oit_i_shader_oit_tops_comp, oit_i_shader_oit_spread_comp,
+                                              oit_i_shader_oit_report_comp};
+
 static void oit_i_compute_source(oit_i_source *source, int program) {
-    static const oit_i_strings kernels[] = {oit_i_shader_oit_clear_comp, oit_i_shader_oit_sum_comp,
-                                            oit_i_shader_oit_tops_comp, oit_i_shader_oit_spread_comp,
-                                            oit_i_shader_oit_report_comp};
     if (program == OIT_I_PROGRAM_TOPS || program == OIT_I_PROGRAM_SPREAD)
         oit_i_add(source, "#define OIT_SCANS 1\n");
     oit_i_add_chunks(source, oit_i_shader_oit_frame_block_glsl);
     oit_i_add_chunks(source, oit_i_shader_oit_scan_glsl);
-    oit_i_add_chunks(source, kernels[program]);
+    oit_i_add_chunks(source, oit_i_kernels[program]);
 }
 
 static int oit_i_is_compute(int program) {
-    return program <= OIT_I_PROGRAM_REPORT || program == OIT_I_PROGRAM_PICK;
+    return program < OIT_I_PROGRAM_COUNT || program == OIT_I_PROGRAM_PICK;
 }
 
 static int oit_i_is_surface(int program) {
@@ -3097,16 +3126,22 @@ static int oit_i_compose_draws(const oit_context *oit) {
     return (two ? 2 : 1) * (OIT_I_CLASSES + 1);
 }
 
+/* Whether the store has passes for that program. */
+static int oit_i_uses_program(const oit_context *oit, int program) {
+    int draw = program - OIT_I_PROGRAM_COMPOSE;
+    if (program == OIT_I_PROGRAM_DEPTH)
+        return oit->frame.depth != OIT_DEPTH_NONE;
+    if (draw >= 0 && draw % (OIT_I_CLASSES + 1) == OIT_I_CLASSES) /* the tail */
+        return oit->desc.fit == OIT_FIT_ASYNC;
+    return draw < oit_i_compose_draws(oit);
+}
+
 static oit_result oit_i_make_programs(oit_context *oit) {
-    int i, last = OIT_I_PROGRAM_COMPOSE + oit_i_compose_draws(oit);
+    int i;
     oit_result result = OIT_OK;
-    for (i = 0; i < last && result == OIT_OK; ++i) {
-        int tail = i >= OIT_I_PROGRAM_COMPOSE && (i - OIT_I_PROGRAM_COMPOSE) % (OIT_I_CLASSES + 1) == OIT_I_CLASSES;
-        if (!tail || oit->desc.fit == OIT_FIT_ASYNC)
+    for (i = 0; i < OIT_I_PROGRAMS && result == OIT_OK; ++i)
+        if (oit_i_uses_program(oit, i))
             result = oit_i_make_program(oit, i);
-    }
-    if (result == OIT_OK && oit->frame.depth != OIT_DEPTH_NONE)
-        result = oit_i_make_program(oit, OIT_I_PROGRAM_DEPTH);
     return result;
 }
 
@@ -3130,6 +3165,26 @@ static oit_result oit_i_prepare(oit_context *oit) {
     }
     oit_i_return_target(oit, bound);
     return result;
+}
+
+/* ---- the steps of each store ---- */
+
+static const oit_i_list oit_i_exact = {{OIT_I_STEP_CLEAR, OIT_I_STEP_COUNT, OIT_I_STEP_SUM, OIT_I_STEP_TOPS,
+                                        OIT_I_STEP_SPREAD, OIT_I_STEP_MEASURE, OIT_I_STEP_FILL, OIT_I_STEP_FILLED},
+                                       OIT_I_STEP_FILL};
+
+/* The slab as one part. */
+static void oit_i_whole_part(oit_context *oit) {
+    oit->part[0] = oit->part[1] = 0;
+    oit->part[2] = oit->frame.width;
+    oit->part[3] = oit->slab_rows;
+    oit->part_start = 0;
+}
+
+static void oit_i_start_slab(oit_context *oit) {
+    oit->list = &oit_i_exact;
+    oit->step = (oit_i_step)oit->list->steps[0];
+    oit_i_whole_part(oit);
 }
 
 static int oit_i_free_slot(oit_context *oit) {
@@ -3156,8 +3211,8 @@ OIT_I_API oit_result oit_begin(oit_context *oit, const oit_frame *frame) {
     oit->saved_state = 0;
     oit->slot = -1;
     oit->bands = 0;
-    oit->step = frame->width && frame->height ? OIT_I_STEP_CLEAR : OIT_I_STEP_DONE;
-    if (oit->step == OIT_I_STEP_CLEAR) {
+    oit->step = OIT_I_STEP_DONE;
+    if (frame->width && frame->height) {
         if (oit->desc.state != OIT_STATE_NONE) {
             oit_i_save(oit, &oit->saved);
             oit->saved_state = 1;
@@ -3172,6 +3227,7 @@ OIT_I_API oit_result oit_begin(oit_context *oit, const oit_frame *frame) {
         }
         ++oit->frame_number;
         oit->slot = oit_i_free_slot(oit);
+        oit_i_start_slab(oit);
     }
     oit->in_frame = 1;
     return OIT_OK;
@@ -3572,17 +3628,12 @@ static oit_result oit_i_next_band(oit_context *oit, int first) {
     return result;
 }
 
-/* What is filled next: the whole slab, or a band of it. */
+/* OIT_FIT_WAIT: what is filled next, the whole slab, or a band of it. */
 static oit_result oit_i_next_part(oit_context *oit, int first) {
     oit_i_block block;
     oit_result result = OIT_OK;
     int32_t bound;
-    oit->part[0] = oit->part[1] = 0;
-    oit->part[2] = oit->frame.width;
-    oit->part[3] = oit->slab_rows;
-    oit->part_start = 0;
-    if (oit->desc.fit == OIT_FIT_ASYNC)
-        return OIT_OK;
+    oit_i_whole_part(oit);
     bound = oit_i_borrow_target(oit);
     if (oit->needed > oit->capacity)
         result = oit_i_next_band(oit, first);
@@ -3620,7 +3671,7 @@ static oit_result oit_i_next_slab(oit_context *oit) {
     oit_result result;
     oit->slab_y += oit->slab_rows;
     oit->slab_rows = oit->frame.height - oit->slab_y < oit->rows ? oit->frame.height - oit->slab_y : oit->rows;
-    oit->part_start = 0;
+    oit_i_start_slab(oit);
     block = oit_i_make_block(oit);
     result = oit_i_upload_block(oit, &block);
     oit_i_return_target(oit, bound);
@@ -3672,55 +3723,50 @@ static oit_result oit_i_after_part(oit_context *oit) {
         return OIT_OK;
     }
     if (oit_i_part_end(oit) < oit->frame.width * oit->slab_rows) {
-        oit->step = OIT_I_STEP_FILL;
+        oit->step = oit->list->part_start;
         return oit_i_next_part(oit, oit_i_part_end(oit));
     }
-    oit->step = OIT_I_STEP_CLEAR;
     return oit_i_next_slab(oit);
 }
 
-/* The pass of the present step, and the step after it. Returns 0 where there is no pass. */
-static int oit_i_take_step(oit_context *oit, oit_pass_kind *kind) {
-    static const oit_pass_kind kinds[OIT_I_STEP_FILL] = {OIT_PASS_CLEAR, OIT_PASS_COUNT,  OIT_PASS_SUM,
-                                                         OIT_PASS_TOPS,  OIT_PASS_SPREAD, OIT_PASS_REPORT};
-    int wait = oit->desc.fit == OIT_FIT_WAIT;
-    switch (oit->step) {
-    case OIT_I_STEP_FILLED:
-    case OIT_I_STEP_DONE:
+/* The pass of the present step. Returns 0 where there is none. */
+static int oit_i_kind_of_step(const oit_context *oit, oit_pass_kind *kind) {
+    static const oit_pass_kind kinds[OIT_I_STEP_DONE] = {
+        OIT_PASS_CLEAR,  OIT_PASS_COUNT, OIT_PASS_SUM,   OIT_PASS_TOPS, OIT_PASS_SPREAD,
+        OIT_PASS_REPORT, OIT_PASS_FILL,  OIT_PASS_FILL,  OIT_PASS_PICK, OIT_PASS_COMPOSE,
+        OIT_PASS_DEPTH,  OIT_PASS_DEPTH, OIT_PASS_REPORT};
+    if (oit->step == OIT_I_STEP_FILLED || oit->step == OIT_I_STEP_DONE)
         return 0;
-    case OIT_I_STEP_PICK:
-        *kind = OIT_PASS_PICK;
+    *kind = kinds[(int)oit->step];
+    return 1;
+}
+
+/* After the present step's pass. */
+static void oit_i_advance(oit_context *oit) {
+    const unsigned char *at = oit->list->steps;
+    if (oit->step == OIT_I_STEP_PICK) {
         oit->picks[oit->pick].state = OIT_I_PICK_RUNS;
         oit->picks[oit->pick].frame = oit->frame_number;
-        return 1;
-    case OIT_I_STEP_COMPOSE:
-        *kind = OIT_PASS_COMPOSE;
-        return 1;
-    case OIT_I_STEP_DEPTH:
-        *kind = OIT_PASS_DEPTH;
+    } else if (oit->step == OIT_I_STEP_COMPOSE) {
+        ++oit->compose_index;
+    } else if (oit->step == OIT_I_STEP_DEPTH) {
         oit->step = OIT_I_STEP_COMPOSED;
-        return 1;
-    case OIT_I_STEP_REPORT:
-        *kind = OIT_PASS_REPORT;
+    } else if (oit->step == OIT_I_STEP_REPORT) {
         oit->step = OIT_I_STEP_DONE;
-        return 1;
-    case OIT_I_STEP_FILL:
-        *kind = OIT_PASS_FILL;
-        if (oit_i_is_last_part(oit))
-            oit->step = OIT_I_STEP_FILLED;
-        else
+    } else {
+        while (*at != (unsigned char)oit->step)
+            ++at;
+        do
+            oit->step = (oit_i_step) * ++at;
+        while (oit->step == OIT_I_STEP_MEASURE && oit->desc.fit == OIT_FIT_ASYNC);
+        if (oit->step == OIT_I_STEP_FILLED && !oit_i_is_last_part(oit))
             oit_i_start_composing(oit);
-        return 1;
-    default:
-        *kind = kinds[(int)oit->step % (int)OIT_I_STEP_FILL];
-        oit->step = oit->step == OIT_I_STEP_SPREAD && !wait ? OIT_I_STEP_FILL : (oit_i_step)((int)oit->step + 1);
-        return 1;
     }
 }
 
 OIT_I_API int oit_next_pass(oit_context *oit, oit_pass *pass) {
     oit_pass_kind kind;
-    int was_measure, was_spread;
+    int measures;
     if (!oit || !pass || !oit->in_frame)
         return 0;
     while (oit->failure == OIT_OK) {
@@ -3729,27 +3775,23 @@ OIT_I_API int oit_next_pass(oit_context *oit, oit_pass *pass) {
             oit->failure = oit_i_after_part(oit);
             continue;
         }
-        was_measure = oit->step == OIT_I_STEP_MEASURE;
-        was_spread = oit->step == OIT_I_STEP_SPREAD;
-        if (!oit_i_take_step(oit, &kind))
+        if (!oit_i_kind_of_step(oit, &kind))
             return 0;
         if (kind == OIT_PASS_FILL)
             ++oit->bands;
         oit_i_fill_pass(oit, kind, pass);
-        if (kind == OIT_PASS_COMPOSE)
-            ++oit->compose_index;
         if (pass->barriers)
             oit->gl.gl_MemoryBarrier(pass->barriers);
         if (oit->desc.state != OIT_STATE_NONE)
             oit_i_apply(oit, &pass->state);
-        if (was_spread)
-            oit->failure = oit->desc.fit == OIT_FIT_ASYNC ? oit_i_next_part(oit, 0) : OIT_OK;
+        measures = oit->step == OIT_I_STEP_MEASURE;
+        oit_i_advance(oit);
         if (oit->desc.state == OIT_STATE_NONE || oit_i_is_hosts(kind))
             return 1;
         oit_i_execute(oit, &pass->state);
-        if (was_measure)
+        if (measures)
             oit->failure = oit_i_measure(oit);
-        if (was_measure && oit->failure == OIT_OK)
+        if (measures && oit->failure == OIT_OK)
             oit->failure = oit_i_next_part(oit, 0);
     }
     return 0;
