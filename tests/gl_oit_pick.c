@@ -428,6 +428,42 @@ static void test_median_of_many(void **state) {
     free(s);
 }
 
+/* Three sheets at one depth and one behind: all three count, and are picked by part, then by key. */
+static void test_coincident_layers(void **state) {
+    static const uint32_t parts[4] = {9, 3, 3, 1}, keys[4] = {0, 8, 2, 0}, expected[4] = {2, 1, 0, 3};
+    (void)state;
+    oit_desc desc = {.fields = OIT_FIELD_PART | OIT_FIELD_KEY};
+    oit_scene *s = malloc(sizeof *s);
+    oit_setting t;
+    float got[16];
+    oit_setting_open(&t, false, 4, 4, 0, GL_RGBA8, desc);
+    oit_scene_init(s, 4, 4);
+    for (int i = 0; i < 4; ++i) {
+        const double z = i < 3 ? 0.25 : 0.5, depth[4] = {z, z, z, z}, color[4] = {1, 1, 1, 0.25};
+        size_t at = oit_scene_quad(s, -1, -1, 1, 1, depth, color);
+        s->objects[at].part = parts[i];
+        s->objects[at].key = keys[i];
+    }
+    oit_frame frame = oit_scene_frame(s, t.framebuffer);
+    for (int layer = 0; layer < 4; ++layer) {
+        oit_pick pick = pick_one(&t, s, &frame, 2, 1, layer);
+        assert_int_equal(pick.layers, 4);
+        assert_int_equal(pick.part, parts[expected[layer]]);
+        assert_int_equal(pick.key, keys[expected[layer]]);
+    }
+    frame.depth = OIT_DEPTH_MEDIAN; /* 0.75^3 < 1/2 < 0.75^2 */
+    frame.depth_framebuffer = t.framebuffer;
+    oit_setting_clear(&t, s);
+    oit_scene_render(s, t.oit, &frame, NULL);
+    glBindFramebuffer(GL_FRAMEBUFFER, t.framebuffer);
+    glReadPixels(0, 0, 4, 4, GL_DEPTH_COMPONENT, GL_FLOAT, got);
+    for (int i = 0; i < 16; ++i)
+        assert_true(got[i] == 0.625f);
+    oit_scene_drop(s);
+    oit_setting_close(&t);
+    free(s);
+}
+
 /* Pixels whose runs did not fit: picking says how many layers there are and finds none, and their depth stays. */
 static void test_pixels_that_do_not_fit(void **state) {
     (void)state;
@@ -577,10 +613,15 @@ static void test_state_and_passes_as_data(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_picks_match_the_rays),     cmocka_unit_test(test_picks_in_bands_and_slabs),
-        cmocka_unit_test(test_all_fields_come_back),     cmocka_unit_test(test_many_and_bad_picks),
-        cmocka_unit_test(test_depth_of_the_composite),   cmocka_unit_test(test_median_of_many),
-        cmocka_unit_test(test_pixels_that_do_not_fit),   cmocka_unit_test(test_bad_depths),
+        cmocka_unit_test(test_picks_match_the_rays),
+        cmocka_unit_test(test_picks_in_bands_and_slabs),
+        cmocka_unit_test(test_all_fields_come_back),
+        cmocka_unit_test(test_many_and_bad_picks),
+        cmocka_unit_test(test_depth_of_the_composite),
+        cmocka_unit_test(test_median_of_many),
+        cmocka_unit_test(test_coincident_layers),
+        cmocka_unit_test(test_pixels_that_do_not_fit),
+        cmocka_unit_test(test_bad_depths),
         cmocka_unit_test(test_state_and_passes_as_data),
     };
     setvbuf(stdout, NULL, _IOLBF, 0);
