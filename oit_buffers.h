@@ -157,7 +157,7 @@ extern "C" {
     X(OIT_LIMIT_TOO_SMALL, "a limit of the context is too small for fragment buffers")                                 \
     X(OIT_SHADER_FAILED, "a shader did not compile or link")                                                           \
     X(OIT_TARGET_INCOMPLETE, "the target framebuffer is not complete")                                                 \
-    X(OIT_TARGET_MULTISAMPLED, "the target is multisampled, which this version does not draw into")                    \
+    X(OIT_TARGET_MULTISAMPLED, "the target is multisampled, and coverage is not stored or holds fewer samples")        \
     X(OIT_TOO_LARGE, "the viewport is larger than the context's buffers or viewports can be")                          \
     X(OIT_PIXEL_TOO_DEEP, "one pixel alone has more fragments than the ceiling holds")                                 \
     X(OIT_WRONG_ORDER, "a function of a frame was called outside of it, or before its passes were done")               \
@@ -207,13 +207,15 @@ typedef enum oit_color {
 /* What a fragment carries beside depth and colour, 4 bytes each but for OIT_FIELD_UV's 8; OIT_FIELD_BLEND is free with
    OIT_COLOR_8. What is not chosen costs nothing. */
 enum {
-    OIT_FIELD_PART = 1,   /* uint: orders fragments of the same depth, before all else */
-    OIT_FIELD_KEY = 2,    /* uint: orders fragments of the same depth and part */
-    OIT_FIELD_BLEND = 4,  /* over, add or multiply by fragment */
-    OIT_FIELD_NORMAL = 8, /* a direction in 2 x 16 bits */
-    OIT_FIELD_UV = 16     /* two floats */
+    OIT_FIELD_PART = 1,     /* uint: orders fragments of the same depth, before all else */
+    OIT_FIELD_KEY = 2,      /* uint: orders fragments of the same depth and part */
+    OIT_FIELD_BLEND = 4,    /* over, add or multiply by fragment */
+    OIT_FIELD_NORMAL = 8,   /* a direction in 2 x 16 bits */
+    OIT_FIELD_UV = 16,      /* two floats */
+    OIT_FIELD_COVERAGE = 32 /* which samples are covered: for multisampled targets; 4 bytes a pixel, too */
 };
-#define OIT_FIELD_ALL 31u
+#define OIT_FIELD_ALL 63u
+#define OIT_MAX_SAMPLES 8
 #define OIT_MAX_HOST_WORDS 8
 
 typedef struct oit_desc {
@@ -236,6 +238,7 @@ typedef struct oit_desc {
     int first_storage_binding; /* three shader storage binding points from here on are ours */
     int uniform_binding;       /* uniform buffer binding point that is ours; 0: 14 */
     oit_store_kind store;
+    int sample_order; /* 1, with OIT_FIELD_COVERAGE: each sample is a fragment of its own; see MULTISAMPLED TARGETS */
 } oit_desc;
 
 typedef struct oit_info {
@@ -365,6 +368,7 @@ typedef struct oit_pick {
     float color[4];  /* as it was stored: multiplied by alpha with desc.premultiplied */
     uint32_t part, key, blend;
     float normal[3], uv[2]; /* the normal of unit length */
+    uint32_t coverage;      /* a bit for each sample */
     uint32_t words[8];      /* the host's */
 } oit_pick;
 
@@ -446,8 +450,12 @@ static const char *const oit_i_shader_oit_clear_comp[] = {
     "    uint first = block * OIT_BLOCK + gl_LocalInvocationID.x;\n"
     "    for (uint i = 0u; i < 8u; ++i) {\n"
     "        uint p = first + 128u * i;\n"
-    "        if (p < oit_pool.x)\n"
+    "        if (p < oit_pool.x) {\n"
     "            oit_pixel[OIT_LEFT(p)] = 0u;\n"
+    "#if OIT_HAS_COVERAGE\n"
+    "            oit_pixel[OIT_EDGE(p)] = 0u;\n"
+    "#endif\n"
+    "        }\n"
     "    }\n"
     "    if (oit_step.x != 0u && first < OIT_HEADER)\n"
     "        oit_pixel[first] = 0u;\n"
@@ -508,6 +516,10 @@ static const char *const oit_i_shader_oit_compose_frag[] = {
     "{\n"
     "    ivec2 where = ivec2(gl_FragCoord.xy) - oit_area.xy;\n"
     "    uint p = uint(where.y) * uint(oit_area.z) + uint(where.x);\n"
+    "#if OIT_HAS_COVERAGE // each sample by itself where they differ, the whole pixel where not\n"
+    "    if ((oit_pixel[OIT_EDGE(p)] != 0u) != (OIT_COVERED == OIT_BY_SAMPLE))\n"
+    "        discard;\n"
+    "#endif\n"
     "    uint start = oit_pixel[OIT_START(p)], end = oit_pixel[OIT_START(p + 1u)];\n"
     "#if OIT_ASYNC\n"
     "    if (end > oit_pool.z)\n"
@@ -561,8 +573,16 @@ static const char *const oit_i_shader_oit_compose_glsl[] = {
     "\n"
     "void oit_lay(uint at)\n"
     "{\n"
+    "#if OIT_COVERED == OIT_BY_SAMPLE\n"
+    "    if ((OIT_WORD(at, OIT_AT_COVERAGE) >> uint(gl_SampleID) & 1u) == 0u)\n"
+    "        return;\n"
+    "#endif\n"
     "    uvec4 words = oit_record_words(at);\n"
     "    vec4 color = oit_unpack_color(words);\n"
+    "#if OIT_COVERED == OIT_BY_SHARE\n"
+    "    color *= vec4(vec3(OIT_PREMULTIPLIED == 1 ? OIT_SHARE(OIT_WORD(at, OIT_AT_COVERAGE)) : 1.0),\n"
+    "                  OIT_SHARE(OIT_WORD(at, OIT_AT_COVERAGE)));\n"
+    "#endif\n"
     "#if OIT_PREMULTIPLIED\n"
     "    vec3 light = color.rgb;\n"
     "#else\n"
@@ -662,6 +682,8 @@ static const char *const oit_i_shader_oit_frame_block_glsl[] = {
     "    highp uvec4 oit_above; // what is not deeper than this is left to the program before: of up to 8, 16, 32, 64\n"
     "    highp vec4 oit_light;  // xyz: toward the light, unit length; zero: no shading. w: weight of the background\n"
     "    highp vec4 oit_output; // x: transmittance below which the depth of the composite is taken\n"
+    "    highp uvec4 oit_samples;      // x: a bit for each sample of the target\n"
+    "    highp vec4 oit_positions[4];  // of two samples each, from the middle of the pixel\n"
     "};\n"
     "\n"
     "// The pixel buffer: 16 words of totals, then two words a pixel (where its run starts; how many fragments are still to\n"
@@ -679,8 +701,14 @@ static const char *const oit_i_shader_oit_frame_block_glsl[] = {
     "#define OIT_SUM(b) (OIT_HEADER + 2u + 2u * oit_pool.x + (b))\n"
     "#define OIT_TAIL(p) (OIT_HEADER + 2u + 2u * oit_pool.x + oit_pool.w + 4u * (p))\n"
     "\n"
+    "// With OIT_HAS_COVERAGE one word a pixel follows: 1 where a fragment covers not all of its samples.\n"
+    "#define OIT_EDGE(p) (OIT_TAIL(oit_pool.x * uint(OIT_ASYNC)) + (p))\n"
+    "\n"
     "// With what is to come of a pixel whose run does not fit. A pixel has less than 2^30 fragments.\n"
     "#define OIT_UNFIT 0x40000000u\n"
+    "\n"
+    "// The part of a pixel that some of its samples are.\n"
+    "#define OIT_SHARE(covered) (float(bitCount(covered)) / float(max(bitCount(oit_samples.x), 1)))\n"
     "\n"
     "// A block of the scan: 128 invocations of 8 pixels each.\n"
     "#define OIT_BLOCK 1024u\n",
@@ -902,6 +930,9 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "// one record of OIT_VECTORS vectors into the pixel's run. Records are written so that their words, compared one after the\n"
     "// other, give the order in which they are composed: depth, part, key, and all else for fragments that tie.\n"
     "layout(early_fragment_tests) in;\n"
+    "#if OIT_HAS_COVERAGE && OIT_POST_DEPTH\n"
+    "layout(post_depth_coverage) in;\n"
+    "#endif\n"
     "layout(std430, binding = OIT_BINDING_PIXELS) buffer oit_pixels { uint oit_pixel[]; };\n"
     "#if OIT_PASS == OIT_FILL\n"
     "layout(std430, binding = OIT_BINDING_FRAGMENTS) writeonly buffer oit_fragments { OIT_VECTOR oit_data[]; };\n"
@@ -946,10 +977,52 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "    return vec4(c, clamp(oit_finite(color.a), 0.0, 1.0));\n"
     "}\n"
     "\n"
+    "#if OIT_HAS_COVERAGE\n"
+    "// The samples that the fragment covers and that lie before the host's opaque things. Where the driver knows coverage only\n"
+    "// from before the depth test, and where the host wants it, each sample is a fragment of its own.\n"
+    "uint oit_coverage()\n"
+    "{\n"
+    "#if OIT_POST_DEPTH\n"
+    "    return uint(gl_SampleMaskIn[0]);\n"
+    "#else\n"
+    "    return 1u << uint(gl_SampleID);\n"
+    "#endif\n"
+    "}\n"
+    "\n"
+    "#if OIT_POST_DEPTH\n"
+    "// The middle of the pixel may lie beyond the edge of the triangle, where the planes of a body's front and back have crossed\n"
+    "// already: the depth is that at the middle of the samples that are covered. Derivatives are taken where control flow is\n"
+    "// uniform, before whatever the host's main does; ES has no such place.\n"
+    "#if OIT_ES\n"
+    "#define OIT_SLOPE vec2(dFdx(gl_FragCoord.z), dFdy(gl_FragCoord.z))\n"
+    "#else\n"
+    "vec2 oit_slope = vec2(dFdx(gl_FragCoord.z), dFdy(gl_FragCoord.z));\n"
+    "#define OIT_SLOPE oit_slope\n"
+    "#endif\n"
+    "\n"
+    "float oit_depth()\n"
+    "{\n"
+    "    vec2 slope = OIT_SLOPE, sum = vec2(0.0);\n"
+    "    uint covered = oit_coverage();\n"
+    "    if (covered == oit_samples.x)\n"
+    "        return gl_FragCoord.z;\n"
+    "    for (uint i = 0u; i < 8u; ++i) {\n"
+    "        vec4 two = oit_positions[i >> 1u];\n"
+    "        sum += (covered >> i & 1u) != 0u ? ((i & 1u) != 0u ? two.zw : two.xy) : vec2(0.0);\n"
+    "    }\n"
+    "    return clamp(gl_FragCoord.z + dot(slope, sum / float(max(bitCount(covered), 1))), 0.0, 1.0);\n"
+    "}\n"
+    "#else\n"
+    "#define oit_depth() gl_FragCoord.z\n"
+    "#endif\n"
+    "#else\n"
+    "#define oit_depth() gl_FragCoord.z\n"
+    "#endif\n"
+    "\n"
     "// Ascends from the eye on, in either convention. A depth of -0.0 is 0.0.\n"
     "uint oit_depth_bits()\n"
     "{\n"
-    "    uint bits = floatBitsToUint(gl_FragCoord.z);\n"
+    "    uint bits = floatBitsToUint(oit_depth());\n"
     "    bits = bits > 0x7fffffffu ? 0u : bits;\n"
     "#if OIT_REVERSED_Z\n"
     "    bits = 0x7fffffffu - bits;\n"
@@ -979,7 +1052,8 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "void oit_write(uint at, oit_fragment f)\n"
     "{\n"
     "    vec4 color = oit_finite(f.color);\n"
-    "    uint w[OIT_VECTORS * OIT_LANES];\n"
+    "    uint w[OIT_VECTORS * OIT_LANES];\n",
+    "#line 129\n"
     "    for (int i = 0; i < OIT_VECTORS * OIT_LANES; ++i)\n"
     "        w[i] = 0u;\n"
     "    w[0] = oit_depth_bits();\n"
@@ -1014,6 +1088,9 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "    w[OIT_AT_UV] = floatBitsToUint(f.uv.x);\n"
     "    w[OIT_AT_UV + 1] = floatBitsToUint(f.uv.y);\n"
     "#endif\n"
+    "#if OIT_HAS_COVERAGE\n"
+    "    w[OIT_AT_COVERAGE] = oit_coverage();\n"
+    "#endif\n"
     "#if OIT_HOST_WORDS > 0\n"
     "    for (int i = 0; i < OIT_HOST_WORDS; ++i)\n"
     "        w[OIT_AT_HOST + i] = f.words[i];\n"
@@ -1027,13 +1104,15 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "}\n"
     "\n"
     "#if OIT_ASYNC\n"
-    "// The tail: sums that do not depend on the order, in integers so that rounding does not either. The layers of a pixel are\n",
-    "#line 132\n"
+    "// The tail: sums that do not depend on the order, in integers so that rounding does not either. The layers of a pixel are\n"
     "// taken as mixed evenly: optical depths add, colours are weighted by them. Bits are shared out by the count of the\n"
     "// pixel, so that no sum overflows: colours up to 4 and optical depths up to 11 make less than 64 a fragment.\n"
     "void oit_to_tail(uint p, uint count, oit_fragment f)\n"
     "{\n"
     "    vec4 color = oit_finite(f.color);\n"
+    "#if OIT_HAS_COVERAGE // the tail knows no samples: a fragment is as much thinner as it covers less of the pixel\n"
+    "    color *= vec4(vec3(OIT_PREMULTIPLIED == 1 ? OIT_SHARE(oit_coverage()) : 1.0), OIT_SHARE(oit_coverage()));\n"
+    "#endif\n"
     "    float scale = exp2(float(26 - findMSB(count) - 1));\n"
     "    float thickness = min(-log(1.0 - min(color.a, 0.999999)), 11.0);\n"
     "    vec3 c = clamp(color.rgb, 0.0, 4.0);\n"
@@ -1065,6 +1144,10 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "void oit_store(oit_fragment f)\n"
     "{\n"
     "    uint p = oit_pixel_index();\n"
+    "#if OIT_HAS_COVERAGE\n"
+    "    if (oit_coverage() != oit_samples.x)\n"
+    "        oit_pixel[OIT_EDGE(p)] = 1u;\n"
+    "#endif\n"
     "#if OIT_PASS == OIT_COUNT\n"
     "    atomicAdd(oit_pixel[OIT_LEFT(p)], 1u);\n"
     "#else\n"
@@ -1080,7 +1163,8 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "    }\n"
     "#endif\n"
     "    // Nothing is written outside of the run, however many fragments come: after as many as were counted, what is left is\n"
-    "    // 0, and then wraps to more than any pool holds.\n"
+    "    // 0, and then wraps to more than any pool holds.\n",
+    "#line 239\n"
     "    uint slot = oit_pixel[OIT_START(p)] + left - 1u - oit_pool.y;\n"
     "    if (left - 1u >= oit_pool.z || slot >= oit_pool.z) {\n"
     "        atomicAdd(oit_pixel[OIT_EXTRA], 1u);\n"
@@ -1327,6 +1411,9 @@ static const char *const oit_i_shader_oit_tops_comp[] = {
 #define OIT_I_GL_ALWAYS 0x0207u
 #define OIT_I_GL_ALREADY_SIGNALED 0x911Au
 #define OIT_I_GL_BLEND 0x0BE2u
+#define OIT_I_GL_MULTISAMPLE 0x809Du
+#define OIT_I_GL_SAMPLE_POSITION 0x8E50u
+#define OIT_I_GL_SAMPLE_SHADING 0x8C36u
 #define OIT_I_GL_BLEND_DST_ALPHA 0x80CAu
 #define OIT_I_GL_BLEND_DST_RGB 0x80C8u
 #define OIT_I_GL_BLEND_EQUATION_ALPHA 0x883Du
@@ -1461,6 +1548,7 @@ typedef const char *const *oit_i_strings;
     X(void, GetProgramiv, (oit_i_u, oit_i_u, int32_t *))                                                               \
     X(void, GetShaderInfoLog, (oit_i_u, int32_t, int32_t *, char *))                                                   \
     X(void, GetShaderiv, (oit_i_u, oit_i_u, int32_t *))                                                                \
+    X(void, GetMultisamplefv, (oit_i_u, oit_i_u, float *))                                                             \
     X(int32_t, GetUniformLocation, (oit_i_u, const char *))                                                            \
     X(unsigned char, IsEnabled, (oit_i_u))                                                                             \
     X(unsigned char, IsProgram, (oit_i_u))                                                                             \
@@ -1546,7 +1634,8 @@ enum {
     OIT_I_PROGRAM_FILL,
     OIT_I_PROGRAM_FILL_LIT,
     OIT_I_PROGRAM_COMPOSE, /* one a class, then that of the tail; all once more for the second draw */
-    OIT_I_PROGRAM_PICK = OIT_I_PROGRAM_COMPOSE + 2 * (OIT_I_CLASSES + 1),
+    OIT_I_PROGRAM_SAMPLED = OIT_I_PROGRAM_COMPOSE + 2 * (OIT_I_CLASSES + 1), /* the same, sample by sample */
+    OIT_I_PROGRAM_PICK = OIT_I_PROGRAM_SAMPLED + 2 * (OIT_I_CLASSES + 1),
     OIT_I_PROGRAM_DEPTH,
     OIT_I_PROGRAMS
 };
@@ -1560,6 +1649,8 @@ typedef struct oit_i_block {
     int32_t area[4];
     oit_i_u pool[4], step[4], above[4];
     float light[4], output[4];
+    oit_i_u samples[4];
+    float positions[OIT_MAX_SAMPLES][2];
 } oit_i_block;
 
 /* A fragment that is asked for: free, asked for, left to the GPU, known without it (outside of the viewport). */
@@ -1578,7 +1669,7 @@ typedef struct oit_i_pick_slot {
 #define OIT_I_MAX_DRAW_BUFFERS 8
 #define OIT_I_MAX_CLIP_DISTANCES 8
 #define OIT_I_MAX_VIEWPORTS 16
-#define OIT_I_CAP_COUNT 14
+#define OIT_I_CAP_COUNT 16
 
 /* A binding point of a buffer with its range. */
 typedef struct oit_i_binding {
@@ -1634,6 +1725,8 @@ struct oit_context {
     oit_info info;
     oit_i_gl gl;
     int has_indexed, has_dual, viewports, draw_buffers, clip_distances;
+    int samples; /* of the frame's target; 0 or 1: not multisampled */
+    float positions[OIT_MAX_SAMPLES][2];
     int32_t max_viewport[2];
     char preamble[OIT_I_MAX_PREAMBLE];
     const char *strings[OIT_STAGE_COUNT][2][OIT_I_MAX_STRINGS];
@@ -1915,6 +2008,19 @@ static oit_result oit_i_check_limit(const oit_desc *desc, const char *name, int6
 
 #define OIT_I_LEAST_BLOCK ((int64_t)1 << 24)
 
+/* What a fragment shader knows of samples. Coverage from before the depth test does not do. */
+static oit_result oit_i_find_coverage(oit_context *oit) {
+    const oit_i_gl *gl = &oit->gl;
+    oit_i_message message;
+    if (oit->info.es && !oit_i_has_extension(gl, "GL_OES_sample_variables")) {
+        oit_i_say(&message, "oit_create", "OIT_FIELD_COVERAGE needs GL_OES_sample_variables, which is not there");
+        return oit_i_refuse(&oit->desc, OIT_LIMIT_TOO_SMALL, &message);
+    }
+    if (!oit_i_has_extension(gl, oit->info.es ? "GL_EXT_post_depth_coverage" : "GL_ARB_post_depth_coverage"))
+        oit->desc.sample_order = 1;
+    return OIT_OK;
+}
+
 /* All limits that are too small are named. The size of blocks may be beyond 32 bits. */
 static oit_result oit_i_find_limits(oit_context *oit) {
     const oit_desc *desc = &oit->desc;
@@ -1937,6 +2043,8 @@ static oit_result oit_i_find_limits(oit_context *oit) {
     /* All of desktop GL that comes as far as this is newer. */
     info->image_atomics = info->version >= 320 || oit_i_has_extension(gl, "GL_OES_shader_image_atomic");
     oit->has_dual = !info->es;
+    if (result == OIT_OK && (desc->fields & OIT_FIELD_COVERAGE))
+        result = oit_i_find_coverage(oit);
     return result;
 }
 
@@ -1988,6 +2096,10 @@ static const char *oit_i_bad_member(const oit_desc *desc) {
         return "store is none of its enumerators";
     if (desc->store != OIT_STORE_EXACT)
         return "store is one that this version does not have";
+    if ((desc->fields & OIT_FIELD_COVERAGE) && desc->state == OIT_STATE_NONE)
+        return "OIT_FIELD_COVERAGE does not go with OIT_STATE_NONE: samples are the target's, which is not asked there";
+    if (desc->sample_order && !(desc->fields & OIT_FIELD_COVERAGE))
+        return "sample_order goes with OIT_FIELD_COVERAGE";
     if (desc->host_words < 0 || desc->host_words > OIT_MAX_HOST_WORDS)
         return "host_words is not in 0 ... 8";
     if (desc->ceiling_bytes < 0 || desc->max_block_bytes < 0)
@@ -2017,10 +2129,12 @@ static const oit_i_cap oit_i_caps[OIT_I_CAP_COUNT] = {
     {OIT_I_GL_DEPTH_CLAMP, 430, 0},
     {OIT_I_GL_SAMPLE_MASK, 430, 310},
     {OIT_I_GL_CULL_FACE, 430, 310}, /* both sides of a surface are layers */
+    {OIT_I_GL_SAMPLE_SHADING, 430, 320},
+    {OIT_I_GL_MULTISAMPLE, 430, 0}, /* the only one that is wanted on */
     {OIT_I_GL_DEPTH_TEST, 430, 310},
     {OIT_I_GL_SCISSOR_TEST, 430, 310},
 };
-#define OIT_I_CAPS_OFF 12
+#define OIT_I_CAPS_OFF 13
 
 static int oit_i_has_cap(const oit_context *oit, int index) {
     int since = oit->info.es ? oit_i_caps[index].es : oit_i_caps[index].desktop;
@@ -2154,7 +2268,7 @@ static void oit_i_save_defaults(oit_i_snapshot *saved) {
     memset(fresh.color_masks, 1, sizeof fresh.color_masks);
     memcpy(fresh.viewport, saved->viewport, sizeof fresh.viewport);
     memcpy(fresh.scissor, saved->scissor, sizeof fresh.scissor);
-    fresh.caps[1] = 1; /* dither */
+    fresh.caps[1] = fresh.caps[OIT_I_CAPS_OFF] = 1; /* dither, multisampling */
     fresh.depth_mask = 1;
     fresh.depth_func = (int32_t)OIT_I_GL_LESS;
     fresh.depth_range[1] = 1.0;
@@ -2272,6 +2386,8 @@ static void oit_i_apply(const oit_context *oit, const oit_state *state) {
     for (i = 0; i < OIT_I_CAPS_OFF; ++i)
         if (oit_i_has_cap(oit, i))
             gl->gl_Disable(oit_i_caps[i].name);
+    if (oit_i_has_cap(oit, OIT_I_CAPS_OFF))
+        gl->gl_Enable(oit_i_caps[OIT_I_CAPS_OFF].name);
     for (i = 0; i < oit->clip_distances; ++i)
         gl->gl_Disable(OIT_I_GL_CLIP_DISTANCE0 + (oit_i_u)i);
     for (i = 0; i < 4; ++i)
@@ -2324,7 +2440,7 @@ static void oit_i_define(oit_i_text *text, const char *name, int64_t value) {
 
 /* Where the words of a record lie, in the order in which they are compared; 0: not there. */
 typedef struct oit_i_record {
-    int part, key, color, blend, normal, uv, host, words, lanes;
+    int part, key, color, blend, normal, uv, coverage, host, words, lanes;
 } oit_i_record;
 
 static oit_i_record oit_i_layout(const oit_desc *desc) {
@@ -2345,6 +2461,8 @@ static oit_i_record oit_i_layout(const oit_desc *desc) {
         at.uv = next;
         next += 2;
     }
+    if (desc->fields & OIT_FIELD_COVERAGE)
+        at.coverage = next++;
     at.host = next;
     next += desc->host_words;
     /* In vectors, which drivers move at once: of four words, or of two where that saves memory. */
@@ -2353,10 +2471,21 @@ static oit_i_record oit_i_layout(const oit_desc *desc) {
     return at;
 }
 
+/* gl_SampleID and gl_SampleMaskIn; and the latter as it is after the depth test. */
+static void oit_i_put_extensions(oit_i_text *text, const oit_desc *desc, int es) {
+    if (es)
+        oit_i_put(text, "#extension GL_OES_sample_variables : require\n");
+    if (!desc->sample_order)
+        oit_i_put(text, es ? "#extension GL_EXT_post_depth_coverage : require\n"
+                           : "#extension GL_ARB_post_depth_coverage : require\n");
+}
+
 /* What every stage begins with, after the version: what was chosen at creation. */
 static void oit_i_write_preamble(const oit_desc *desc, int es, char *at, size_t capacity) {
     oit_i_text text = oit_i_text_in(at, capacity);
     oit_i_record record = oit_i_layout(desc);
+    if (desc->fields & OIT_FIELD_COVERAGE) /* extensions come before all else */
+        oit_i_put_extensions(&text, desc, es);
     if (es)
         oit_i_put(&text, "precision highp float;\nprecision highp int;\n");
     oit_i_define(&text, "OIT_BINDING_PIXELS", desc->first_storage_binding + OIT_I_PIXELS);
@@ -2371,6 +2500,9 @@ static void oit_i_write_preamble(const oit_desc *desc, int es, char *at, size_t 
     oit_i_define(&text, "OIT_HAS_BLEND", (desc->fields & OIT_FIELD_BLEND) != 0);
     oit_i_define(&text, "OIT_HAS_NORMAL", (desc->fields & OIT_FIELD_NORMAL) != 0);
     oit_i_define(&text, "OIT_HAS_UV", (desc->fields & OIT_FIELD_UV) != 0);
+    oit_i_define(&text, "OIT_HAS_COVERAGE", (desc->fields & OIT_FIELD_COVERAGE) != 0);
+    oit_i_define(&text, "OIT_POST_DEPTH", !desc->sample_order);
+    oit_i_define(&text, "OIT_ES", es != 0);
     oit_i_define(&text, "OIT_HOST_WORDS", desc->host_words);
     oit_i_define(&text, "OIT_LANES", record.lanes);
     oit_i_define(&text, "OIT_VECTORS", record.words / record.lanes);
@@ -2381,6 +2513,7 @@ static void oit_i_write_preamble(const oit_desc *desc, int es, char *at, size_t 
     oit_i_define(&text, "OIT_AT_BLEND", record.blend);
     oit_i_define(&text, "OIT_AT_NORMAL", record.normal);
     oit_i_define(&text, "OIT_AT_UV", record.uv);
+    oit_i_define(&text, "OIT_AT_COVERAGE", record.coverage);
     oit_i_define(&text, "OIT_AT_HOST", record.host);
     oit_i_define(&text, "OIT_COLOR", (int)desc->color);
     oit_i_define(&text, "OIT_STORE", (int)desc->store);
@@ -2390,6 +2523,7 @@ static void oit_i_write_preamble(const oit_desc *desc, int es, char *at, size_t 
     oit_i_put(&text, "#define OIT_COUNT 0\n#define OIT_FILL 1\n");
     oit_i_put(&text, "#define OIT_MODE_OVER 0\n#define OIT_MODE_DUAL 1\n");
     oit_i_put(&text, "#define OIT_MODE_FILTER 2\n#define OIT_MODE_LIGHT 3\n");
+    oit_i_put(&text, "#define OIT_BY_PIXEL 0\n#define OIT_BY_SAMPLE 1\n#define OIT_BY_SHARE 2\n");
 }
 
 /* A string of its own: what must follow the version at once, #extension lines, goes between this and the next. */
@@ -2494,11 +2628,12 @@ static void oit_i_put_selection(oit_i_text *text, int size) {
 }
 
 /* scratch: OIT_I_NETWORK_CAPACITY characters, for text that is made here. */
-static void oit_i_compose_source(oit_i_source *source, int index, int mode, char *scratch) {
+static void oit_i_compose_source(oit_i_source *source, int index, int mode, int sampled, char *scratch) {
     oit_i_text text = oit_i_text_in(scratch, OIT_I_NETWORK_CAPACITY);
     int tail = index == OIT_I_CLASSES, deep = index == OIT_I_CLASSES - 1;
     size_t network;
     oit_i_define(&text, "OIT_MODE", mode);
+    oit_i_define(&text, "OIT_COVERED", sampled); /* OIT_BY_PIXEL or OIT_BY_SAMPLE */
     if (!tail) {
         oit_i_define(&text, "OIT_CLASS", oit_i_class_sizes[index]);
         oit_i_define(&text, "OIT_INDEX", index);
@@ -2544,8 +2679,9 @@ static int oit_i_is_surface(int program) {
 }
 
 /* Picking, and the depth of the composite: records in their order, without networks. */
-static void oit_i_ordered_source(oit_i_source *source, int program) {
+static void oit_i_ordered_source(oit_i_source *source, int program, const oit_desc *desc) {
     oit_i_add(source, "#define OIT_CLASS 1\n#define OIT_DEEP 0\n");
+    oit_i_add(source, desc->fields & OIT_FIELD_COVERAGE ? "#define OIT_COVERED 2\n" : "#define OIT_COVERED 0\n");
     oit_i_add_chunks(source, oit_i_shader_oit_frame_block_glsl);
     oit_i_add_chunks(source, oit_i_shader_oit_record_glsl);
     oit_i_add_chunks(source, oit_i_shader_oit_ordered_glsl);
@@ -2557,7 +2693,8 @@ static void oit_i_ordered_source(oit_i_source *source, int program) {
 /* The whole text of one stage of a built-in program; dual: there is dual-source blending. */
 static void oit_i_program_source(oit_i_source *source, int program, oit_stage stage, const oit_desc *desc, int es,
                                  const char *preamble, char *scratch) {
-    int index = program - OIT_I_PROGRAM_COMPOSE, mode = OIT_I_MODE_OVER;
+    int sampled = program >= OIT_I_PROGRAM_SAMPLED, mode = OIT_I_MODE_OVER;
+    int index = program - (sampled ? OIT_I_PROGRAM_SAMPLED : OIT_I_PROGRAM_COMPOSE);
     if (oit_i_is_surface(program)) {
         int fill = program != OIT_I_PROGRAM_COUNT, lit = program == OIT_I_PROGRAM_FILL_LIT;
         oit_i_host_source(source, stage, fill, es, preamble);
@@ -2569,7 +2706,7 @@ static void oit_i_program_source(oit_i_source *source, int program, oit_stage st
     }
     oit_i_add_preamble(source, es, preamble);
     if (program == OIT_I_PROGRAM_PICK || (program == OIT_I_PROGRAM_DEPTH && stage == OIT_FRAGMENT)) {
-        oit_i_ordered_source(source, program);
+        oit_i_ordered_source(source, program, desc);
     } else if (oit_i_is_compute(program)) {
         oit_i_compute_source(source, program);
     } else if (stage == OIT_VERTEX) {
@@ -2577,7 +2714,7 @@ static void oit_i_program_source(oit_i_source *source, int program, oit_stage st
     } else {
         if (desc->fields & OIT_FIELD_BLEND)
             mode = !es ? OIT_I_MODE_DUAL : index > OIT_I_CLASSES ? OIT_I_MODE_LIGHT : OIT_I_MODE_FILTER;
-        oit_i_compose_source(source, index % (OIT_I_CLASSES + 1), mode, scratch);
+        oit_i_compose_source(source, index % (OIT_I_CLASSES + 1), mode, sampled, scratch);
     }
 }
 
@@ -2866,6 +3003,8 @@ static int64_t oit_i_pixel_bytes(const oit_context *oit, int64_t pixels) {
     int64_t words = OIT_I_HEADER_WORDS + 2 * pixels + 2 + (int64_t)oit_i_blocks(pixels);
     if (oit->desc.fit == OIT_FIT_ASYNC)
         words += 4 * pixels;
+    if (oit->desc.fields & OIT_FIELD_COVERAGE)
+        words += pixels;
     return 4 * words;
 }
 
@@ -3051,17 +3190,35 @@ static oit_result oit_i_check_framebuffer(oit_context *oit, oit_i_u framebuffer,
     return OIT_OK;
 }
 
+/* How many samples the target that is bound has, and where they lie, from the middle of a pixel. */
+static oit_result oit_i_find_samples(oit_context *oit) {
+    int i, k;
+    oit->samples = 0;
+    memset(oit->positions, 0, sizeof oit->positions);
+    oit->gl.gl_GetIntegerv(OIT_I_GL_SAMPLES, &oit->samples);
+    if (oit->samples <= 1)
+        return OIT_OK;
+    if (!(oit->desc.fields & OIT_FIELD_COVERAGE))
+        return oit_i_fail(&oit->desc, OIT_TARGET_MULTISAMPLED, "oit_begin",
+                          "frame.framebuffer is multisampled, for which OIT_FIELD_COVERAGE has to be chosen");
+    if (oit->samples > OIT_MAX_SAMPLES)
+        return oit_i_fail(&oit->desc, OIT_TARGET_MULTISAMPLED, "oit_begin",
+                          "frame.framebuffer has more than OIT_MAX_SAMPLES samples");
+    for (i = 0; i < oit->samples; ++i) {
+        oit->gl.gl_GetMultisamplefv(OIT_I_GL_SAMPLE_POSITION, (oit_i_u)i, oit->positions[i]);
+        for (k = 0; k < 2; ++k)
+            oit->positions[i][k] -= 0.5f;
+    }
+    return OIT_OK;
+}
+
 static oit_result oit_i_check_target(oit_context *oit) {
-    int32_t samples = 0;
     oit_result result = OIT_OK;
     if (oit->frame.depth != OIT_DEPTH_NONE)
         result = oit_i_check_framebuffer(oit, oit->frame.depth_framebuffer, "frame.depth_framebuffer");
     if (result == OIT_OK)
         result = oit_i_check_framebuffer(oit, oit->frame.framebuffer, "frame.framebuffer");
-    if (result != OIT_OK)
-        return result;
-    oit->gl.gl_GetIntegerv(OIT_I_GL_SAMPLES, &samples);
-    return samples > 0 ? oit_i_fail(&oit->desc, OIT_TARGET_MULTISAMPLED, "oit_begin", "frame.framebuffer") : OIT_OK;
+    return result == OIT_OK ? oit_i_find_samples(oit) : result;
 }
 
 static void oit_i_unit_vector(float out[4], const float in[3]) {
@@ -3118,12 +3275,20 @@ static oit_i_block oit_i_make_block(const oit_context *oit) {
     oit_i_unit_vector(block.light, frame->light);
     block.light[3] = weight == 0.0f ? 1.0f : weight < 0.0f ? 0.0f : weight > 1.0f ? 1.0f : weight;
     block.output[0] = oit_i_depth_limit(frame);
+    block.samples[0] = (1u << (oit->samples > 1 ? oit->samples : 1)) - 1u;
+    memcpy(block.positions, oit->positions, sizeof block.positions);
     return block;
 }
 
-static int oit_i_compose_draws(const oit_context *oit) {
+/* Of whole pixels. */
+static int oit_i_pixel_draws(const oit_context *oit) {
     int two = (oit->desc.fields & OIT_FIELD_BLEND) && !oit->has_dual;
     return (two ? 2 : 1) * (OIT_I_CLASSES + 1);
+}
+
+/* Into a multisampled target all are drawn once more, for pixels whose samples differ. */
+static int oit_i_compose_draws(const oit_context *oit) {
+    return (oit->samples > 1 ? 2 : 1) * oit_i_pixel_draws(oit);
 }
 
 /* Whether the store has passes for that program. */
@@ -3131,9 +3296,12 @@ static int oit_i_uses_program(const oit_context *oit, int program) {
     int draw = program - OIT_I_PROGRAM_COMPOSE;
     if (program == OIT_I_PROGRAM_DEPTH)
         return oit->frame.depth != OIT_DEPTH_NONE;
+    int sampled = program >= OIT_I_PROGRAM_SAMPLED;
+    if (sampled)
+        draw = program - OIT_I_PROGRAM_SAMPLED;
     if (draw >= 0 && draw % (OIT_I_CLASSES + 1) == OIT_I_CLASSES) /* the tail */
-        return oit->desc.fit == OIT_FIT_ASYNC;
-    return draw < oit_i_compose_draws(oit);
+        return oit->desc.fit == OIT_FIT_ASYNC && !sampled;
+    return draw < oit_i_pixel_draws(oit) && (!sampled || oit->samples > 1);
 }
 
 static oit_result oit_i_make_programs(oit_context *oit) {
@@ -3267,8 +3435,8 @@ static oit_i_u oit_i_barrier_before(oit_pass_kind kind) {
         return OIT_I_GL_SHADER_STORAGE_BARRIER;
     case OIT_PASS_PICK:
         return OIT_I_GL_SHADER_STORAGE_BARRIER;
-    case OIT_PASS_DEPTH: /* compose has drawn nothing where nothing was stored */
-        return OIT_I_GL_SHADER_STORAGE_BARRIER;
+    case OIT_PASS_DEPTH: /* compose, which always draws something, has waited for the same */
+        return 0;
     default: /* compose; its draws only read, so once before the first */
         return OIT_I_GL_SHADER_STORAGE_BARRIER;
     }
@@ -3303,7 +3471,9 @@ static int oit_i_program_of(const oit_context *oit, oit_pass_kind kind) {
     case OIT_PASS_DEPTH:
         return OIT_I_PROGRAM_DEPTH;
     default:
-        return OIT_I_PROGRAM_COMPOSE + oit->compose_index;
+        return oit->compose_index < oit_i_pixel_draws(oit)
+                   ? OIT_I_PROGRAM_COMPOSE + oit->compose_index
+                   : OIT_I_PROGRAM_SAMPLED + oit->compose_index - oit_i_pixel_draws(oit);
     }
 }
 
@@ -3326,7 +3496,7 @@ static void oit_i_fill_blend(const oit_context *oit, oit_state *state) {
         return;
     if (oit->has_dual) {
         state->blend_destination = OIT_I_GL_SRC1_COLOR;
-    } else if (oit->compose_index <= OIT_I_CLASSES) {
+    } else if (oit->compose_index % oit_i_pixel_draws(oit) <= OIT_I_CLASSES) {
         state->blend_source = OIT_I_GL_ZERO;
         state->blend_destination = OIT_I_GL_SRC_COLOR;
     } else {
@@ -3535,6 +3705,8 @@ static void oit_i_read_record(const oit_desc *desc, const oit_i_u *words, oit_pi
         oit_i_read_normal(words[at.normal], pick->normal);
     for (i = 0; i < 2 && at.uv; ++i)
         pick->uv[i] = oit_i_as_float(words[at.uv + i]);
+    if (at.coverage)
+        pick->coverage = words[at.coverage];
     for (i = 0; i < desc->host_words; ++i)
         pick->words[i] = words[at.host + i];
 }
@@ -3687,6 +3859,8 @@ static int oit_i_is_last_part(const oit_context *oit) {
    is not fall to the next. What is deeper than was known falls to the last, so that a wrong guess costs only time. */
 static int oit_i_is_needed(const oit_context *oit, int draw) {
     int index = draw % (OIT_I_CLASSES + 1), deep = index == OIT_I_CLASSES - 1, wait = oit->desc.fit == OIT_FIT_WAIT;
+    if (index == OIT_I_CLASSES && draw >= oit_i_pixel_draws(oit))
+        return 0;
     if (index == OIT_I_CLASSES || deep)
         return !wait || (deep && oit->deepest > oit->block.step[1]);
     return (oit->block.step[2] >> index) & 1u;

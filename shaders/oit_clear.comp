@@ -9,8 +9,12 @@ void main()
     uint first = block * OIT_BLOCK + gl_LocalInvocationID.x;
     for (uint i = 0u; i < 8u; ++i) {
         uint p = first + 128u * i;
-        if (p < oit_pool.x)
+        if (p < oit_pool.x) {
             oit_pixel[OIT_LEFT(p)] = 0u;
+#if OIT_HAS_COVERAGE
+            oit_pixel[OIT_EDGE(p)] = 0u;
+#endif
+        }
     }
     if (oit_step.x != 0u && first < OIT_HEADER)
         oit_pixel[first] = 0u;

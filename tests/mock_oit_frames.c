@@ -34,7 +34,8 @@ typedef struct fake_program {
 } fake_program;
 
 static struct {
-    const char *version;
+    const char *version, *extension;
+    int32_t samples; /* of every framebuffer */
     int live[KINDS];
     long creations, refuse_creation; /* the n-th creation fails; 0: none */
     int64_t memory;                  /* that BufferData has; 0: any */
@@ -188,6 +189,7 @@ FAKE(void, GetProgramiv, (U a, U b, I *c), (void)a; (void)b; *c = driver.refuse_
 FAKE(void, GetShaderInfoLog, (U a, I b, I *c, char *d), (void)a; (void)c; snprintf(d, (size_t)b, "compile trouble");)
 FAKE(void, GetShaderiv, (U a, U b, I *c), (void)a; (void)b; *c = driver.refuse_compile != 1;)
 FAKE(I, GetUniformLocation, (U a, const char *b), (void)a; (void)b; return 1;)
+FAKE(void, GetMultisamplefv, (U a, U b, float *c), assert_int_equal(a, 0x8E50); c[0] = 0.25f * (float)b; c[1] = 0.5f;)
 FAKE(B, IsEnabled, (U a), (void)a; return 0;)
 FAKE(B, IsEnabledi, (U a, U b), (void)a; (void)b; return 0;)
 FAKE(B, IsProgram, (U a), return a != 0;)
@@ -342,6 +344,12 @@ static void fake_GetIntegerv(U what, I *out) {
     case 0x8CA6:
         *out = (I)driver.framebuffer;
         break;
+    case 0x80A9:
+        *out = driver.samples;
+        break;
+    case 0x821D:
+        *out = 1;
+        break;
     case 0x0D3A:
         out[0] = out[1] = 16384;
         break;
@@ -398,7 +406,7 @@ static const unsigned char *fake_GetString(U name) {
 
 static const unsigned char *fake_GetStringi(U name, U index) {
     (void)name, (void)index;
-    return NULL;
+    return (const unsigned char *)driver.extension;
 }
 
 static oit_proc get_proc(const char *name) {
@@ -441,6 +449,7 @@ static int set_up(void **state) {
     (void)state;
     memset(&driver, 0, sizeof driver);
     driver.version = "4.5.0 Mock";
+    driver.extension = "GL_OES_sample_variables";
     driver.pixel_starts = 2;
     driver.program = 4000;
     driver.vertex_array = 77;
@@ -693,7 +702,19 @@ static void test_picks_do_not_wait(void **state) {
             assert_int_equal(oit_pick_result(oit, 1, &pick), OIT_OK);
             assert_int_equal(driver.waits, 1);
         }
+        /* Where all reports are under way, no other barrier comes before the fence. */
+        oit_pick last = {0};
+        while (oit_pick_result(oit, 1, &last) == OIT_OK)
+            continue;
+        for (int run = 0; run < 4; ++run) {
+            if (run == 3)
+                assert_int_equal(oit_pick_begin(oit, 5, 7, 0), OIT_OK);
+            assert_int_equal(draw_frame(oit, &frame, NULL), OIT_OK);
+        }
+        assert_int_equal(oit->slot, -1);
+        assert_int_equal(oit_pick_result(oit, 1, &last), OIT_OK);
         oit_destroy(oit);
+        assert_int_equal(driver.violations, 0);
         set_up(state);
     }
 }
@@ -727,6 +748,50 @@ static void test_picks_with_creations_refused(void **state) {
         memset(driver.buffers, 0, sizeof driver.buffers);
     }
     assert_true(total > 20);
+}
+
+/* ---- multisampled targets ---- */
+
+/* With the same eyes; and what is refused, with the reason. */
+static void test_multisampled_targets(void **state) {
+    static const char *const extensions[] = {"GL_ARB_post_depth_coverage", "GL_EXT_post_depth_coverage", "none"};
+    (void)state;
+    for (int i = 0; i < 12; ++i) {
+        oit_desc desc = {.fields = OIT_FIELD_COVERAGE | (i & 1 ? (uint32_t)OIT_FIELD_BLEND : 0u),
+                         .fit = i & 2 ? OIT_FIT_ASYNC : OIT_FIT_WAIT};
+        driver.version = i >= 8 ? "OpenGL ES 3.1 Mock" : "4.3.0 Mock";
+        driver.extension = i >= 8 ? "GL_OES_sample_variables" : extensions[i / 4 * 2];
+        oit_context *oit = make(desc);
+        assert_int_equal(oit->desc.sample_order, i >= 4);
+        set_totals(64 * 48 * 2, 300);
+        for (int run = 0; run < 4; ++run) {
+            driver.samples = run == 2 ? 0 : 4;
+            assert_int_equal(draw_frame(oit, &frame_with_depth, NULL), OIT_OK);
+            driver.finished = driver.now;
+        }
+        assert_int_equal(oit->block.samples[0], 15);
+        assert_true(oit->block.positions[3][0] == 0.25f && oit->block.positions[0][0] == -0.5f);
+        driver.samples = 16;
+        assert_int_equal(draw_frame(oit, &frame, NULL), OIT_TARGET_MULTISAMPLED);
+        assert_non_null(strstr(driver.text, "more than OIT_MAX_SAMPLES"));
+        oit_destroy(oit);
+    }
+    driver.samples = 2;
+    oit_context *plain = make(descs[0]);
+    assert_int_equal(draw_frame(plain, &frame, NULL), OIT_TARGET_MULTISAMPLED);
+    assert_non_null(strstr(driver.text, "OIT_FIELD_COVERAGE has to be chosen"));
+    assert_int_equal(driver.framebuffer, 5);
+    oit_destroy(plain);
+    oit_desc desc = {.get_proc = get_proc, .log_fn = on_log, .fields = OIT_FIELD_COVERAGE};
+    oit_result result;
+    driver.extension = "none";
+    assert_null(oit_create(&desc, &result));
+    assert_int_equal(result, OIT_LIMIT_TOO_SMALL);
+    assert_non_null(strstr(driver.text, "GL_OES_sample_variables, which is not there; layers(n)"));
+    desc.state = OIT_STATE_NONE;
+    desc.fit = OIT_FIT_ASYNC;
+    assert_null(oit_create(&desc, &result));
+    assert_int_equal(result, OIT_INVALID_ARGUMENT);
 }
 
 /* ---- faults ---- */
@@ -891,6 +956,7 @@ int main(void) {
         DRIVER_TEST(test_barriers_of_picks_and_depths),
         DRIVER_TEST(test_picks_do_not_wait),
         DRIVER_TEST(test_picks_with_creations_refused),
+        DRIVER_TEST(test_multisampled_targets),
         DRIVER_TEST(test_every_creation_refused),
         DRIVER_TEST(test_shaders_that_fail),
         DRIVER_TEST(test_no_memory_mid_growth),
