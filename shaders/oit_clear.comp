@@ -10,8 +10,12 @@ void main()
     uint first = block * OIT_BLOCK + gl_LocalInvocationID.x;
     for (uint i = 0u; i < 8u; ++i) {
         uint p = first + 128u * i;
-        if (p < oit_pool.x)
+        if (p < oit_pool.x) {
             oit_pixel[OIT_LEFT(p)] = 0u;
+#if OIT_HAS_COVERAGE
+            oit_pixel[OIT_EDGE(p)] = 0u;
+#endif
+        }
     }
 #if OIT_KEEPS
     uint each = OIT_LAYERS + 1u, end = min((block + 1u) * OIT_BLOCK, oit_pool.x) * each;

@@ -21,8 +21,16 @@ bool oit_visible()
 
 void oit_lay(uint at)
 {
+#if OIT_COVERED == OIT_BY_SAMPLE
+    if ((OIT_WORD(at, OIT_AT_COVERAGE) >> uint(gl_SampleID) & 1u) == 0u)
+        return;
+#endif
     uvec4 words = oit_record_words(at);
     vec4 color = oit_unpack_color(words);
+#if OIT_COVERED == OIT_BY_SHARE
+    color *= vec4(vec3(OIT_PREMULTIPLIED == 1 ? OIT_SHARE(OIT_WORD(at, OIT_AT_COVERAGE)) : 1.0),
+                  OIT_SHARE(OIT_WORD(at, OIT_AT_COVERAGE)));
+#endif
 #if OIT_PREMULTIPLIED
     vec3 light = color.rgb;
 #else

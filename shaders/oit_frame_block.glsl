@@ -8,6 +8,9 @@ layout(std140, binding = OIT_UNIFORM_BINDING) uniform oit_frame
                            // w: k of the stores that keep the k nearest
     highp uvec4 oit_above; // what is not deeper than this is left to the program before: of up to 8, 16, 32, 64
     highp vec4 oit_light;  // xyz: toward the light, unit length; zero: no shading. w: weight of the background
+    highp vec4 oit_output; // x: transmittance below which the depth of the composite is taken
+    highp uvec4 oit_samples;      // x: a bit for each sample of the target
+    highp vec4 oit_positions[4];  // of two samples each, from the middle of the pixel
 };
 
 // The pixel buffer: 16 words of totals, then two words a pixel (where its run starts; how many fragments are still to
@@ -37,8 +40,14 @@ layout(std140, binding = OIT_UNIFORM_BINDING) uniform oit_frame
 #endif
 #define OIT_NONE 0xffffffffu
 
+// With OIT_HAS_COVERAGE one word a pixel follows: 1 where a fragment covers not all of its samples.
+#define OIT_EDGE(p) (OIT_TAIL(oit_pool.x * uint(OIT_ASYNC)) + (p))
+
 // With what is to come of a pixel whose run does not fit. A pixel has less than 2^30 fragments.
 #define OIT_UNFIT 0x40000000u
+
+// The part of a pixel that some of its samples are.
+#define OIT_SHARE(covered) (float(bitCount(covered)) / float(max(bitCount(oit_samples.x), 1)))
 
 // A block of the scan: 128 invocations of 8 pixels each.
 #define OIT_BLOCK 1024u

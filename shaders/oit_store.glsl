@@ -3,6 +3,9 @@
 // one record of OIT_VECTORS vectors into the pixel's run. Records are written so that their words, compared one after the
 // other, give the order in which they are composed: depth, part, key, and all else for fragments that tie.
 layout(early_fragment_tests) in;
+#if OIT_HAS_COVERAGE && OIT_POST_DEPTH
+layout(post_depth_coverage) in;
+#endif
 #if OIT_KEEPS && OIT_PASS == OIT_COUNT
 layout(std430, binding = OIT_BINDING_PIXELS) coherent buffer oit_pixels { uint oit_pixel[]; };
 #else
@@ -51,10 +54,52 @@ vec4 oit_finite(vec4 color)
     return vec4(c, clamp(oit_finite(color.a), 0.0, 1.0));
 }
 
+#if OIT_HAS_COVERAGE
+// The samples that the fragment covers and that lie before the host's opaque things. Where the driver knows coverage only
+// from before the depth test, and where the host wants it, each sample is a fragment of its own.
+uint oit_coverage()
+{
+#if OIT_POST_DEPTH
+    return uint(gl_SampleMaskIn[0]);
+#else
+    return 1u << uint(gl_SampleID);
+#endif
+}
+
+#if OIT_POST_DEPTH
+// The middle of the pixel may lie beyond the edge of the triangle, where the planes of a body's front and back have crossed
+// already: the depth is that at the middle of the samples that are covered. Derivatives are taken where control flow is
+// uniform, before whatever the host's main does; ES has no such place.
+#if OIT_ES
+#define OIT_SLOPE vec2(dFdx(gl_FragCoord.z), dFdy(gl_FragCoord.z))
+#else
+vec2 oit_slope = vec2(dFdx(gl_FragCoord.z), dFdy(gl_FragCoord.z));
+#define OIT_SLOPE oit_slope
+#endif
+
+float oit_depth()
+{
+    vec2 slope = OIT_SLOPE, sum = vec2(0.0);
+    uint covered = oit_coverage();
+    if (covered == oit_samples.x)
+        return gl_FragCoord.z;
+    for (uint i = 0u; i < 8u; ++i) {
+        vec4 two = oit_positions[i >> 1u];
+        sum += (covered >> i & 1u) != 0u ? ((i & 1u) != 0u ? two.zw : two.xy) : vec2(0.0);
+    }
+    return clamp(gl_FragCoord.z + dot(slope, sum / float(max(bitCount(covered), 1))), 0.0, 1.0);
+}
+#else
+#define oit_depth() gl_FragCoord.z
+#endif
+#else
+#define oit_depth() gl_FragCoord.z
+#endif
+
 // Ascends from the eye on, in either convention. A depth of -0.0 is 0.0.
 uint oit_depth_bits()
 {
-    uint bits = floatBitsToUint(gl_FragCoord.z);
+    uint bits = floatBitsToUint(oit_depth());
     bits = bits > 0x7fffffffu ? 0u : bits;
 #if OIT_REVERSED_Z
     bits = 0x7fffffffu - bits;
@@ -165,6 +210,9 @@ void oit_write(uint at, oit_fragment f)
     w[OIT_AT_UV] = floatBitsToUint(f.uv.x);
     w[OIT_AT_UV + 1] = floatBitsToUint(f.uv.y);
 #endif
+#if OIT_HAS_COVERAGE
+    w[OIT_AT_COVERAGE] = oit_coverage();
+#endif
 #if OIT_HOST_WORDS > 0
     for (int i = 0; i < OIT_HOST_WORDS; ++i)
         w[OIT_AT_HOST + i] = f.words[i];
@@ -184,6 +232,9 @@ void oit_write(uint at, oit_fragment f)
 vec4 oit_tail_parts(oit_fragment f)
 {
     vec4 color = oit_finite(f.color);
+#if OIT_HAS_COVERAGE // the tail knows no samples: a fragment is as much thinner as it covers less of the pixel
+    color *= vec4(vec3(OIT_PREMULTIPLIED == 1 ? OIT_SHARE(oit_coverage()) : 1.0), OIT_SHARE(oit_coverage()));
+#endif
     float thickness = min(-log(1.0 - min(color.a, 0.999999)), 11.0);
     vec3 c = clamp(color.rgb, 0.0, 4.0);
 #if OIT_PREMULTIPLIED
@@ -235,6 +286,10 @@ void oit_to_tail(uint p, uint count, oit_fragment f)
 void oit_store(oit_fragment f)
 {
     uint p = oit_pixel_index();
+#if OIT_HAS_COVERAGE
+    if (oit_coverage() != oit_samples.x)
+        oit_pixel[OIT_EDGE(p)] = 1u;
+#endif
 #if OIT_KEEPS && OIT_PASS == OIT_COUNT
     oit_select(p, oit_key(f));
 #elif OIT_PASS == OIT_COUNT
