@@ -241,7 +241,9 @@ typedef struct oit_desc {
     int64_t budget_bytes;  /* BUDGET, BUCKETED: for the fragments of the image; 0: 256 MiB */
     int layers;            /* BUDGET, BUCKETED: keep no more of a pixel; 0: as many as the budget has room for */
     int bucket_depth_bits; /* BUCKETED: choose the nearest by so many bits of the depth, 16 or 32; 0: 32 */
-    int sample_order; /* 1, with OIT_FIELD_COVERAGE: each sample is a fragment of its own; see MULTISAMPLED TARGETS */
+    int sample_order;   /* 1, with OIT_FIELD_COVERAGE: each sample is a fragment of its own; see MULTISAMPLED TARGETS */
+    uint32_t operators; /* OIT_OPERATE_*: what oit_run may be asked for; see OPERATORS */
+    int operator_fields; /* numbers of the host's own for each fragment, kept between its operators; 4 bytes each */
 } oit_desc;
 
 typedef struct oit_info {
@@ -294,6 +296,9 @@ typedef struct oit_frame {
     float depth_threshold;      /* OIT_DEPTH_THRESHOLD: in ]0,1] */
     uint32_t depth_framebuffer; /* takes the depth, at the same viewport; see oit_depth */
     int depth_to_color;         /* 1: in its first draw buffer instead, which is of floats (R32F) */
+    float
+        projection[16]; /* column-major, of the transparent objects; needed by oit_run alone. With desc.reversed_z that
+                             of the shaders, from [0,1] depth as with glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE) */
 } oit_frame;
 
 typedef enum oit_pass_kind {
@@ -309,6 +314,7 @@ typedef enum oit_pass_kind {
     OIT_PASS_ARRANGE, /* BUCKETED: its fragments by part */
     OIT_PASS_PICK,    /* where oit_pick_begin has asked for it */
     OIT_PASS_DEPTH,   /* with oit_frame.depth */
+    OIT_PASS_OPERATE, /* of oit_run */
     OIT_PASS_KIND_COUNT
 } oit_pass_kind;
 
@@ -386,6 +392,180 @@ OIT_DEF oit_result oit_pick_begin(oit_context *oit, int x, int y, int layer);
    frame that answers has ended. OIT_WRONG_ORDER: none is under way, or none that can be waited for. */
 OIT_DEF oit_result oit_pick_result(oit_context *oit, int wait, oit_pick *pick);
 
+/* ---- operators --------------------------------------------------------------------------------------------------- */
+
+/* Between the last pass of the host's and oit_compose, operators may work on all fragments of the image: Carnecky et al.
+   2013 (smart transparency; sections and equations below are theirs) and Murray et al. 2016 (curvature). Each oit_run is
+   one operator; they build on one another in the order in which they are run, and only for this frame:
+
+       LINK        neighbours along the surface, which the three below need
+       LAW         the opacity that a fragment starts with, "base"
+       SMART       silhouettes strengthened, halos before what lies behind: fields beta and gamma, base made smooth
+       CURVATURE   kappa of each fragment, and opacity and shade from it
+       HOST        a compute program of the host's
+
+   and oit_compose lays a fragment with opacity (1 - gamma)(base + (1 - base) beta) and shade(kappa) times its colour. What
+   was not run has no part in that; a frame without oit_run is composed as ever. Surfaces are the fragments of
+   OIT_BLEND_OVER; others are composed as they are. What oit_run may be asked for is chosen at creation: what is not costs
+   no byte and no program. Bytes are those of a fragment, in the buffer of the surfaces. */
+enum {
+    OIT_OPERATE_LINKS = 1, /* 8 (12 from 255 layers on), and 4 to 12 in the record: normal, part, slope of the depth */
+    OIT_OPERATE_LAW = 2,   /* 4 */
+    OIT_OPERATE_SMART = 4, /* 8; takes LINKS and LAW along */
+    OIT_OPERATE_CURVATURE = 8,  /* 4; takes LINKS and LAW along */
+    OIT_OPERATE_LOCAL = 16,     /* 4, shared with SMART: for HOST with iterations */
+    OIT_OPERATE_DIFFUSION = 32, /* 8: beta and gamma of SMART by equation 8 */
+    OIT_OPERATE_THIN = 64,      /* 8: smart.thin */
+    OIT_OPERATE_BUCKETS = 128   /* 4: OIT_SEARCH_BUCKETS */
+};
+#define OIT_OPERATE_ALL 255u
+#define OIT_MAX_OPERATOR_FIELDS 4
+
+/* When two fragments of one part, in pixels side by side, are neighbours: each is what the other likes best of that pixel
+   (section 4.4, figure 7b), by a measure of how little the surface would have to bend. */
+typedef enum oit_criterion {
+    OIT_LINK_DEPTH, /* equations 1 to 3: depth_weight times the distance, in radii, of the depth that the fragment's own
+                       slope predicts, plus normal_weight times 1 - n.n; none farther than limit (radii) */
+    OIT_LINK_UV,    /* distance in (u, v), none farther than limit; needs OIT_FIELD_UV */
+    OIT_LINK_PUBLISHED, /* as DEPTH, without limit, and both ways by the measure of one side (algorithm 2) */
+    OIT_LINK_MURRAY     /* 1 - n.n plus the difference of window depths squared; no limit (Murray 2016, section 5.1) */
+} oit_criterion;
+
+typedef enum oit_search {
+    OIT_SEARCH_WINDOWED, /* outward from the predicted depth, until depth alone is worse: the links of BRUTE. For DEPTH; the
+                            other criteria have no order to search by and are searched as by BRUTE */
+    OIT_SEARCH_BRUTE,  /* all pairs (k^2) */
+    OIT_SEARCH_BUCKETS /* all pairs within a part, found by runs that are grouped by part (Murray 2016, section 4) */
+} oit_search;
+
+typedef struct oit_link {
+    oit_criterion criterion;
+    oit_search search;
+    float depth_weight, normal_weight; /* not negative; both 0: default 0.5 and 0.5 */
+    float radius;                      /* of the scene's bounding sphere, units of the eye's space; 0: default 1 */
+    float limit;                       /* 0: default 0.05; negative: none */
+    int no_reverse_check;              /* 1: what one side likes best is its neighbour (Murray 2016, figure 5a) */
+    int count_pairs;                   /* 1: pairs that are compared are counted in the header of the buffer */
+} oit_link;
+
+/* Base, where |n.v| is the cosine between the normal and the direction to the eye, d the distance to the nearest
+   silhouette along the surface in pixels, m the number of surfaces of the pixel:
+
+       GIVEN      alpha as it was stored
+       CONSTANT   s                                          equation 4
+       ADAPTIVE   1 - (1 - s)^(1/m)                          equation 5: the m together make s
+       ANGLE      1 - (1 - s) |n.v|^exponent                 s where the surface faces the eye
+       VARIATION  1 - (1 - s) e^(-scale v)                   v: root of the sum of the squared differences of normals to
+                                                             the neighbours, those across a pixel halved; needs LINK
+       DISTANCE   1 - (1 - s) min(1, d/reach)^exponent       needs SMART, with beta.iterations of reach or more */
+typedef enum oit_law_kind {
+    OIT_LAW_GIVEN,
+    OIT_LAW_CONSTANT,
+    OIT_LAW_ADAPTIVE,
+    OIT_LAW_ANGLE,
+    OIT_LAW_VARIATION,
+    OIT_LAW_DISTANCE
+} oit_law_kind;
+
+typedef struct oit_law {
+    oit_law_kind kind;
+    float s;        /* in [0,1]; 0: default 0.3; negative: 0 */
+    float exponent; /* 0: default 1 */
+    float scale;    /* VARIATION; 0: default 4 */
+    float reach;    /* DISTANCE, pixels; 0: default 20 */
+} oit_law;
+
+/* How a field spreads from its boundary conditions (section 5.4). */
+typedef enum oit_process {
+    OIT_PROCESS_DEFAULT,   /* DIFFUSION for base, GREATEST for beta and gamma */
+    OIT_PROCESS_DIFFUSION, /* equation 8 with 1/8 of the sum of differences; beta and gamma: OIT_OPERATE_DIFFUSION */
+    OIT_PROCESS_GREATEST   /* equation 9; not for base */
+} oit_process;
+
+typedef enum oit_profile {
+    OIT_PROFILE_NONE,
+    OIT_PROFILE_10, /* (e^(-p (1-u)^2) - e^-p) / (1 - e^-p), and its limit 1 - (1-u)^2 for p = 0 */
+    OIT_PROFILE_11  /* u^p */
+} oit_profile;
+
+typedef struct oit_spread {
+    oit_process process;
+    int iterations;      /* at most 65533; 0: default 20; negative: none */
+    float lambda;        /* in [0,1]; 0: default 1 for base, 0.05 for beta, 0.1 for gamma; negative: 0 */
+    oit_profile profile; /* of beta and gamma */
+    float p;             /* 0: default 3 with OIT_PROFILE_10, 0.3 with 11; negative: 0 */
+} oit_spread;
+
+typedef struct oit_smart {
+    oit_spread base, beta, gamma; /* where no LAW was run, base starts as GIVEN */
+    int jumps;  /* 1: few passes that go far along rows and columns instead of one an iteration; see JUMPS */
+    int rounds; /* of jumps: a pass along rows and one along columns; 0: default as many as reach without a bend, + 1 */
+    int until_stable; /* 1: as many rounds as are needed: beta and gamma as iterated, exactly */
+    float thin;       /* beta and gamma reach no farther than this share of the surface's width there; 0: any (paper) */
+    int published;    /* 1: the paper's own: mean of four in equation 8, equation 9 without b, plain layer indices, and
+                         algorithm 3 as printed, whose weights do not sum to 1; iterated */
+} oit_smart;
+
+/* Transfer functions (Murray 2016, section 5.2), interpolated between their entries. */
+#define OIT_TRANSFER_SHADES 32
+#define OIT_TRANSFER_CURVATURES 32
+#define OIT_TRANSFER_DEPTHS 16
+
+typedef enum oit_shade {
+    OIT_SHADE_NONE,
+    OIT_SHADE_CONVEX, /* brightens what is convex, darkens what is concave (figure 6a) */
+    OIT_SHADE_CURVED  /* bright where curved, dark where flat (figure 6b) */
+} oit_shade;
+
+typedef enum oit_opacity {
+    OIT_OPACITY_NONE,  /* base is left as it is */
+    OIT_OPACITY_FRONT, /* clear where flat and near; grows fast with depth (figure 7a) */
+    OIT_OPACITY_DEEP   /* clear where flat, over a wider range of depth (figure 7b) */
+} oit_opacity;
+
+typedef struct oit_curvature {
+    float unit; /* length whose reciprocal is a curvature of 1, units of the eye's space; 0: per pixel, as published */
+    oit_shade shade;
+    oit_opacity opacity;
+    const float *shades;    /* instead: OIT_TRANSFER_SHADES rgb factors, for kappa from -1 to 1 */
+    const float *opacities; /* instead: OIT_TRANSFER_DEPTHS rows, near to far, of OIT_TRANSFER_CURVATURES opacities in
+                               [0,1] for |kappa| from 0 to 1; kept in 16 bits */
+    float first, last;      /* distances along the view that are the depths 0 and 1; both 0: those of the projection */
+} oit_curvature;
+
+/* The values of a fragment, by the names that shaders have for them: OIT_BASE, ..., OIT_HOST + k. */
+typedef enum oit_value { OIT_VALUE_BASE, OIT_VALUE_BETA, OIT_VALUE_GAMMA, OIT_VALUE_KAPPA, OIT_VALUE_HOST } oit_value;
+
+/* Section 4.5. Without iterations the program runs once: purely local (it looks at a pixel's list) or global; it may write
+   OIT_BASE and OIT_HOST + k of the fragments of its own pixel, and reads there what was before it only in its own pixel.
+   With iterations, a local operator: `value` (BASE or HOST + k) goes from oit_before() to oit_set_after(), n times. */
+typedef struct oit_host_operator {
+    uint32_t program; /* of oit_operator_glsl() and `void oit_operate(uint p)`, linked; it stays the host's */
+    int iterations;   /* 0: once, without oit_before and oit_set_after */
+    int value;        /* OIT_VALUE_BASE or OIT_VALUE_HOST + k */
+} oit_host_operator;
+
+typedef enum oit_run_kind { OIT_RUN_LINK, OIT_RUN_LAW, OIT_RUN_SMART, OIT_RUN_CURVATURE, OIT_RUN_HOST } oit_run_kind;
+
+typedef struct oit_operator {
+    oit_run_kind kind; /* only the member of that kind is looked at */
+    oit_link link;
+    oit_law law;
+    oit_smart smart;
+    oit_curvature curvature;
+    oit_host_operator host;
+} oit_operator;
+
+/* After oit_next_pass has returned 0, before oit_compose. The first run of a frame sorts, too. Under OIT_STATE_NONE the
+   passes of it come from oit_next_pass after this, before anything else is called. Makes programs when they are first
+   needed. On failure the frame goes on as if it had not been called: OIT_INVALID_ARGUMENT (what was not chosen, a number
+   out of range, frame.projection missing), OIT_WRONG_ORDER (what it builds on was not run), OIT_TOO_LARGE (the image is
+   drawn in bands or slabs: operators need all of it at once), OIT_OUT_OF_MEMORY, OIT_SHADER_FAILED. */
+OIT_DEF oit_result oit_run(oit_context *oit, const oit_operator *op);
+/* Strings (with #version) to put before the host's text, which defines `void oit_operate(uint p)`, called for each pixel;
+   see OPERATORS OF THE HOST'S. Valid as long as the context; NULL without operators. */
+OIT_DEF const char *const *oit_operator_glsl(const oit_context *oit, int *count);
+
 /* Uniforms of the built-in surface programs. */
 typedef struct oit_material {
     float model_view_projection[16]; /* column-major */
@@ -395,7 +575,8 @@ typedef struct oit_material {
     uint32_t blend;                  /* OIT_BLEND_*, where OIT_FIELD_BLEND is chosen */
 } oit_material;
 
-enum { OIT_BLEND_OVER, OIT_BLEND_ADD, OIT_BLEND_MULTIPLY };
+/* LINE: of a feature line: laid over as OVER is, and no surface: operators give it no layer index, links or fields. */
+enum { OIT_BLEND_OVER, OIT_BLEND_ADD, OIT_BLEND_MULTIPLY, OIT_BLEND_LINE };
 
 /* For objects drawn with the built-in program; call it after oit_next_pass, before the draw call. */
 OIT_DEF void oit_set_material(oit_context *oit, const oit_pass *pass, const oit_material *material);
