@@ -1,4 +1,4 @@
-/* transparency.h - v0.2.0 - illustrators' transparency for OpenGL 3.3, OpenGL ES 3.0 and WebGL 2 - MIT licence, at the end
+/* transparency.h - v0.3.0 - illustrators' transparency for OpenGL 3.3, OpenGL ES 3.0 and WebGL 2 - MIT licence, at the end
 
    DOES
    - draws technical illustrations in which opaque things show through the transparent objects that enclose them, after
@@ -184,7 +184,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#define TR_VERSION 200 /* major * 10000 + minor * 100 + patch */
+#define TR_VERSION 300 /* major * 10000 + minor * 100 + patch */
 
 #ifndef TR_STATIC
 #define TR_DEF extern
@@ -370,6 +370,19 @@ typedef enum tr_pass_kind {
     TR_PASS_HIDDEN_LINES,      /* phantom lines where those are hidden, into the target */
     TR_PASS_OUTER_LINES,       /* wide outlines outside of everything, into the target */
     TR_PASS_TAKE_OPAQUE,       /* full screen, before TR_PASS_OPAQUE: the same, from the host's textures */
+    /* of tr_begin_dynamic; the host draws pass.units in those that are not called full screen */
+    TR_PASS_BLOCK,        /* depth of what closes masks */
+    TR_PASS_TARGETS,      /* depth and strength of the nearest target */
+    TR_PASS_SPREAD_X,     /* full screen, as are all of these four: nearest pixel of a target in each row */
+    TR_PASS_SPREAD_Y,     /* nearest of all, at the mask's resolution */
+    TR_PASS_FINISH,       /* mask and its depth, at the target's resolution */
+    TR_PASS_PRIME,        /* depth that lets nothing be drawn outside of masks */
+    TR_PASS_SCENE,        /* the host's whole scene, as it always draws it */
+    TR_PASS_BEHIND,       /* what shows through masks */
+    TR_PASS_YIELD,        /* importance of the front-most unit */
+    TR_PASS_COMPOSE_MASK, /* full screen, into the target: the former over the scene */
+    TR_PASS_QUERY,        /* full screen: which target, at a quarter of the resolution */
+    TR_PASS_HIDES,        /* the same resolution: where something lies before it */
     TR_PASS_KIND_COUNT
 } tr_pass_kind;
 
@@ -390,6 +403,14 @@ typedef enum tr_rule {
     TR_RULE_LIMIT_MARKED_SHEET,
     TR_RULE_OPAQUE,
     TR_RULE_OPAQUE_ENTERING,
+    /* of shaders/see_rules.glsl: tr_see_through in place of tr_surface */
+    TR_RULE_SEE_PLAIN, /* nothing: the host's own program, as it is */
+    TR_RULE_SEE_BLOCK,
+    TR_RULE_SEE_TARGET,
+    TR_RULE_SEE_BEHIND,
+    TR_RULE_SEE_YIELD,
+    TR_RULE_SEE_DITHER,
+    TR_RULE_SEE_HIDES,
     TR_RULE_COUNT
 } tr_rule;
 
@@ -438,7 +459,7 @@ typedef struct tr_state {
     int viewport[4];
     uint32_t program;      /* built-in; the host's own may stand in for it in surface passes */
     uint32_t vertex_array; /* of full-screen passes */
-    int vertex_count;      /* 3: the host draws glDrawArrays(GL_TRIANGLES, 0, 3); 0: the host draws its objects */
+    int vertex_count;      /* not 0: the host draws glDrawArrays(GL_TRIANGLES, 0, vertex_count); 0: its objects */
     uint32_t textures[TR_TEXTURE_UNITS];        /* on unit first_texture_unit + i, no sampler object; 0: not read */
     uint32_t texture_targets[TR_TEXTURE_UNITS]; /* GL_TEXTURE_2D or GL_TEXTURE_2D_ARRAY */
     int first_texture_unit;
@@ -456,6 +477,7 @@ typedef struct tr_state {
     uint32_t blend_source, blend_destination, blend_source_alpha, blend_destination_alpha; /* equation: add */
     uint32_t cull_face;                                                                    /* 0: none */
     uint32_t front_face;
+    int scissor[4]; /* x, y, width, height, for clears too; width 0: no scissor test */
 } tr_state;
 
 typedef struct tr_pass {
@@ -466,6 +488,8 @@ typedef struct tr_pass {
     int layer;      /* that the pass draws, 0: the front-most */
     const char *name;
     tr_state state;
+    const uint32_t *units; /* of tr_begin_dynamic: indices into the host's array, in the order in which to draw them */
+    size_t unit_count;
 } tr_pass;
 
 typedef struct tr_context tr_context;
@@ -483,6 +507,145 @@ TR_DEF tr_result tr_end(tr_context *tr); /* may come early: what is drawn so far
 
 /* The number that shaders know an object by: id, group (from bit 24) and, in bit 31, whether its interiors are explicit. */
 TR_DEF uint32_t tr_object_code(const tr_object *object, const tr_wishes *wishes);
+
+/* ---- dynamic transparency --------------------------------------------------------------------------------------- */
+
+/* What a unit is; without TR_UNIT_TARGET, a distractor: something that a target is seen through. */
+enum {
+    TR_UNIT_TARGET = 1,       /* is to be seen through what lies before it */
+    TR_UNIT_IMPENETRABLE = 2, /* never made transparent; closes the mask of targets behind it */
+    TR_UNIT_HOLLOW = 4,       /* each of its front faces is a layer; without it the front-most one alone */
+    TR_UNIT_BACKDROP = 8,     /* ground, sky: never made transparent, and the host knows of no target behind it. Not for
+                                 targets. Where there is one after all it closes the mask */
+    TR_UNIT_ACTIVE = 16       /* a target that is seen inside of the lights only */
+};
+
+/* One a host's object, in a plain array or at the start of larger structs; read by tr_begin_dynamic, not kept. */
+typedef struct tr_unit {
+    uint32_t id;             /* stable, at most 65535; targets: from 1, unique among them */
+    uint32_t flags;          /* TR_UNIT_*; 0: a distractor */
+    float center[3], radius; /* bounding sphere in the world. Not finite, or radius < 0: no bounds, the whole viewport;
+                                radius 0: a point */
+    float importance; /* clamped to [0,1]; 0: the default, 1 for targets and 0 for others; negative: 0. An occluder
+                                gives up clamp(target's - occluder's) of what the mask asks for: 1 and 0 give the paper */
+    uint32_t group;   /* 0: on its own; members of a group are ordered by rank, lowest innermost (TR_SEE_SEQUENCE) */
+    int rank;
+    float fade; /* of a target's mask: 0 whole ... 1 gone, clamped; tr_advance moves it */
+} tr_unit;
+
+/* How units are seen: see docs/dynamic.md for the error and the price of each. */
+typedef enum tr_see {
+    TR_SEE_ONE_MASK,  /* one mask for all targets, blended; order-free, one more drawing of what is in masks */
+    TR_SEE_DITHER,    /* the same mask, screen-door: one drawing, depth writes, no blending; for deferred pipelines */
+    TR_SEE_EXACT,     /* layer by layer, as the truth has it, within the masks */
+    TR_SEE_SEQUENCE,  /* whole objects back to front, a mask a target: Assarsson 2006, section 4, as amended */
+    TR_SEE_PUBLISHED, /* the same as published: all masks multiply, each occluder on its own */
+    TR_SEE_OFF,       /* plain drawing */
+    TR_SEE_COUNT
+} tr_see;
+
+typedef enum tr_mask_shape {
+    TR_MASK_OUTLINE, /* the target's own outline, grown */
+    TR_MASK_CIRCLE,
+    TR_MASK_ELLIPSE,
+    TR_MASK_HULL
+} tr_mask_shape;
+
+typedef enum tr_mask_combine {
+    TR_MASK_MIN,    /* where masks overlap the lowest opacity counts (rule R2) */
+    TR_MASK_PRODUCT /* they multiply (Assarsson 2006, section 4) */
+} tr_mask_combine;
+
+typedef enum tr_occluders {
+    TR_OCCLUDERS_TOGETHER, /* however many lie before a target, they leave it 1 - alpha_target */
+    TR_OCCLUDERS_EACH      /* each leaves 1 - alpha_target of what is behind it (the paper) */
+} tr_occluders;
+
+/* A search light on the screen: full strength within radius, falling linearly to nothing over edge. */
+typedef struct tr_light {
+    float x, y, radius, edge; /* pixels of the viewport, y up */
+} tr_light;
+#define TR_MAX_LIGHTS 8
+#define TR_MAX_MASK_WIDTH 100
+
+/* What is wished of a frame. */
+typedef struct tr_dynamic {
+    tr_see see;
+    tr_mask_shape shape;
+    tr_mask_combine combine;
+    tr_occluders occluders;
+    float alpha_target;     /* opacity left before a target, in [0,1]; 0: 0.3; negative: 0 */
+    float alpha_start;      /* and beside it, from where it rises to 1; 0: 0.1; negative: 0 */
+    float width;            /* pixels in which it rises, at most TR_MAX_MASK_WIDTH; 0: 12; negative: none */
+    int mask_divisor;       /* pixels a mask texel, 1, 2, 4 or 8; 0: 2. The target's own pixels are always as drawn */
+    int layers;             /* layer control: only so many layers, from the eye, become transparent; 0: all */
+    const tr_light *lights; /* of active targets; at most TR_MAX_LIGHTS */
+    size_t light_count;
+    uint32_t frame_index; /* of TR_SEE_DITHER: counts frames, for a pattern that averages out over time */
+    int query;            /* 1: count what is hidden, for tr_query_hidden; one more pass, see there */
+    float background[3];  /* colour where nothing is drawn, as the target was cleared to; a sky is better a backdrop */
+    const void *units;    /* unit_count times tr_unit, unit_stride bytes apart; 0: sizeof(tr_unit) */
+    size_t unit_count, unit_stride;
+    float view[16], projection[16]; /* column-major: world to eye (w = 1), eye to clip */
+} tr_dynamic;
+
+#define TR_MAX_SEE_PASSES 16
+
+typedef struct tr_see_pass {
+    tr_pass_kind kind;
+    tr_rule rule;        /* of passes that the host draws */
+    uint32_t unit_count; /* that the host draws in it */
+    const char *why;
+} tr_see_pass;
+
+/* What runs, and why. */
+typedef struct tr_see_plan {
+    tr_see see; /* TR_SEE_OFF where nothing would differ from plain drawing */
+    const char *why;
+    uint32_t targets, targets_in_view; /* by their bounds */
+    uint32_t masks;                    /* of targets that something may lie before */
+    int pass_count;
+    tr_see_pass passes[TR_MAX_SEE_PASSES];
+    int rectangle[4]; /* x, y, width, height of the viewport: holds all masks */
+    uint32_t tiles;   /* rectangles that full-screen passes cover, in place of all of it */
+    float covered;    /* by them, share of the viewport */
+    uint64_t bytes;   /* of textures that are needed */
+} tr_see_plan;
+
+/* Begins a frame; then tr_next_pass and tr_end as always: in each pass the host draws pass.units, with the program for
+   pass.rule. Of the frame: framebuffer, x, y, width, height, what is said of built-in shading, and TR_WISH_SRGB (the shaders
+   write light, the target encodes it). The rest is not looked at.
+   In TR_PASS_SCENE the host draws all that it has, as it does without this header: its own target and attachments, its own
+   state. Before it the state is what desc.state says of the end of a frame, but for our texture units and uniform buffer.
+   Where no target may be hidden, or nothing that yields may lie before one, this is the only pass and no GL call is made.
+   With TR_RULE_SEE_PLAIN the host's program is as it always was; tr_set_material puts the built-in one to use.
+   A host that draws instances in batches may draw more than pass.units: shaders know by the code what is not wanted.
+   TR_INVALID_ARGUMENT: matrices or numbers that are not finite, values out of range, an id out of range or of two
+   targets; lights or units that are NULL; what the rung cannot do (see docs/dynamic.md). */
+TR_DEF tr_result tr_begin_dynamic(tr_context *tr, const tr_frame *frame, const tr_dynamic *dynamic);
+TR_DEF size_t tr_see_plan_print(const tr_see_plan *plan, char *text, size_t capacity);
+
+/* What shaders know a unit by, for tr_see_through: id, flags from bit 16, from bit 24 importance in 255ths; of targets
+   less what has faded. A uniform, an attribute of instances or a texel. */
+TR_DEF uint32_t tr_unit_code(const tr_unit *unit);
+/* Pixels of a viewport that a unit may cover: x, y, width, height, the least by its sphere. 0: none; 1: some. Touches the
+   plane of the eye: the whole viewport. */
+TR_DEF int tr_unit_rectangle(const tr_unit *unit, const float view[16], const float projection[16], int width,
+                             int height, int rectangle[4]);
+/* Moves each unit's fade toward wanted[i] (NULL: toward 0), by seconds / fade_time; pure CPU. Two steps of half the time are
+   one of the whole, to rounding. fade_time not above 0: at once; seconds not above 0, or not finite: nothing. */
+TR_DEF void tr_advance(void *units, size_t count, size_t stride, const float *wanted, float seconds, float fade_time);
+
+/* How much of a target is hidden, by something that is neither a target nor made transparent for it yet. */
+typedef struct tr_hidden {
+    uint32_t id;
+    uint32_t
+        pixels; /* that it covers and nothing impenetrable hides; in steps of 16, as one of 4 by 4 pixels is looked at */
+    uint32_t hidden; /* of these, behind something */
+} tr_hidden;
+/* Of the last frame with dynamic.query whose answer has arrived, two or three frames ago; never waits. Targets that cover
+   nothing are left out; by rising id. Writes at most capacity, and the number there are to count. */
+TR_DEF tr_result tr_query_hidden(tr_context *tr, tr_hidden *out, size_t capacity, size_t *count);
 
 /* ---- edges for alpha -------------------------------------------------------------------------------------------- */
 
@@ -588,10 +751,11 @@ TR_DEF const char *const *tr_alpha_glsl(const tr_context *tr, tr_stage stage, tr
 TR_DEF tr_result tr_prepare_program(tr_context *tr, uint32_t program);
 
 typedef struct tr_info {
-    int es;              /* 1: OpenGL ES */
-    int version;         /* 330 for 3.3; after desc.max_gl_version */
-    uint64_t bytes;      /* of GL textures held now */
-    const tr_plan *plan; /* of the last tr_begin */
+    int es;                      /* 1: OpenGL ES */
+    int version;                 /* 330 for 3.3; after desc.max_gl_version */
+    uint64_t bytes;              /* of GL textures held now */
+    const tr_plan *plan;         /* of the last tr_begin */
+    const tr_see_plan *see_plan; /* of the last tr_begin_dynamic */
 } tr_info;
 TR_DEF tr_info tr_get_info(const tr_context *tr);
 /* Gives the textures back, e.g. when illustrations pause; the next frame makes them anew. Edges and outlines have to be
@@ -1995,6 +2159,103 @@ typedef struct tr_i_snapshot {
     int64_t indexed_start, indexed_size;
 } tr_i_snapshot;
 
+/* ---- dynamic transparency: what a context keeps ----------------------------------------------------------------- */
+
+/* Lists of units, as indices into the host's array, each as long as that. */
+enum {
+    TR_I_UNITS_ALL,
+    TR_I_UNITS_BLOCK,    /* impenetrable, or backdrops, in masks */
+    TR_I_UNITS_TARGETS,  /* that something may lie before */
+    TR_I_UNITS_BEHIND,   /* that may show through a mask */
+    TR_I_UNITS_YIELDING, /* distractors that may lie before a target */
+    TR_I_UNITS_MASKED,   /* all in masks */
+    TR_I_UNIT_LISTS
+};
+
+/* Where a unit is on the screen (x0, y0, x1, y1; x1 = 0: nowhere), and its reach along the view. */
+typedef struct tr_i_place {
+    uint16_t x0, y0, x1, y1;
+    float first, last;
+} tr_i_place;
+
+#define TR_I_CELLS 64 /* along each side, at most */
+#define TR_I_MAX_TILES 640
+
+/* The screen in cells: a target needs a mask where something that yields lies before it, and only units that meet masks
+   are drawn again. Cells in place of rectangles of targets, so that the work does not grow with targets times units. */
+typedef struct tr_i_grid {
+    int side, columns, rows;                         /* a cell's, pixels; cells */
+    float nearest_yielding[TR_I_CELLS * TR_I_CELLS]; /* along the view; infinite: none */
+    float nearest_target[TR_I_CELLS * TR_I_CELLS];   /* of those that have masks */
+    float farthest_target[TR_I_CELLS * TR_I_CELLS];  /* -infinite: no mask here */
+    unsigned char tiles[TR_I_MAX_TILES][4];          /* of cells with masks: x0, y0, x1, y1 in cells */
+    int tile_count, cell_count;
+} tr_i_grid;
+
+/* Numbers of a tr_dynamic with the defaults filled in. */
+typedef struct tr_i_law {
+    float target, start, width;
+    int divisor, reach; /* pixels from a target's outline on which masks are 1, and nothing is left to look for */
+} tr_i_law;
+
+/* Textures and framebuffers of dynamic transparency; sizes follow from the viewport and the mask's divisor. */
+enum {
+    TR_I_SEE_DEPTH,      /* of blocks and targets; then of what shows through masks */
+    TR_I_SEE_MARK,       /* of the nearest target: strength, whether it is active, id in two bytes */
+    TR_I_SEE_ROWS,       /* a row of texels each pixel high: where the nearest pixel of a target is in it */
+    TR_I_SEE_LOW,        /* the mask's texels: distance, strength, whether it is active */
+    TR_I_SEE_LOW_DEPTH,  /* their depth */
+    TR_I_SEE_MASK,       /* opacity before importance, strength */
+    TR_I_SEE_MASK_DEPTH, /* what lies before it yields */
+    TR_I_SEE_BEHIND,     /* colour of what shows through masks */
+    TR_I_SEE_YIELD,      /* importance of the front-most unit */
+    TR_I_SEE_QUERY,      /* 4 by 4 pixels a texel: id in two bytes, whether something lies before it */
+    TR_I_SEE_TEXTURE_COUNT
+};
+
+enum {
+    TR_I_SEE_FBO_TARGETS,
+    TR_I_SEE_FBO_ROWS,
+    TR_I_SEE_FBO_LOW,
+    TR_I_SEE_FBO_MASK,
+    TR_I_SEE_FBO_BEHIND,
+    TR_I_SEE_FBO_YIELD,
+    TR_I_SEE_FBO_QUERY,
+    TR_I_SEE_FBO_COUNT
+};
+
+/* The uniform block of shaders/see_block.glsl, std140. */
+typedef struct tr_i_see_block {
+    float light[4], cool[4], warm[4], viewport[4], law[4], background[4];
+    int32_t grid[4];
+    float lights[TR_MAX_LIGHTS][4];
+    uint32_t tiles[TR_I_MAX_TILES];
+} tr_i_see_block;
+
+#define TR_I_QUERY_RING 3
+
+typedef struct tr_i_query {
+    tr_i_u buffer;
+    void *fence; /* 0: nothing is under way */
+    int columns, rows;
+} tr_i_query;
+
+typedef struct tr_i_see {
+    int active;  /* this frame is of tr_begin_dynamic */
+    int partial; /* some importance of an occluder is neither 0 nor 1 */
+    int step;
+    tr_i_law law;
+    tr_see_plan plan;
+    tr_i_grid grid;
+    tr_i_place *places; /* of all units; with the lists one heap block */
+    uint32_t *lists[TR_I_UNIT_LISTS];
+    size_t counts[TR_I_UNIT_LISTS], capacity;
+    int width, height, divisor, srgb; /* that the textures are made for */
+    tr_i_u textures[TR_I_SEE_TEXTURE_COUNT], fbos[TR_I_SEE_FBO_COUNT], buffer;
+    tr_i_see_block block; /* as uploaded */
+    int block_uploaded;
+} tr_i_see;
+
 #define TR_I_MAX_STRINGS 48
 
 struct tr_context {
@@ -2024,6 +2285,7 @@ struct tr_context {
     tr_plan plan;
     int next_pass; /* of the plan */
     int in_frame;
+    tr_i_see see;
 };
 
 /* ---- text without stdio ----------------------------------------------------------------------------------------- */
@@ -2098,7 +2360,11 @@ TR_I_API const char *tr_pass_kind_name(tr_pass_kind kind) {
     static const char *const names[] = {"front",        "peel",        "layer",
                                         "limit",        "opaque",      "copy depth",
                                         "opaque lines", "compose",     "transparent lines",
-                                        "hidden lines", "outer lines", "take opaque"};
+                                        "hidden lines", "outer lines", "take opaque",
+                                        "block",        "targets",     "spread x",
+                                        "spread y",     "finish",      "prime",
+                                        "scene",        "behind",      "yield",
+                                        "compose mask", "query",       "hides"};
     return (unsigned)kind < (unsigned)TR_PASS_KIND_COUNT ? names[kind] : "unknown pass";
 }
 
@@ -2510,6 +2776,657 @@ TR_I_API float tr_view_alpha(float d, float d_max, float k) {
     return alpha < 0.0 ? 0.0f : alpha > 1.0 ? 1.0f : (float)alpha;
 }
 
+/* ---- dynamic transparency: units -------------------------------------------------------------------------------- */
+
+#define TR_I_UNIT_FLAGS 31u
+#define TR_I_KEPT (TR_UNIT_TARGET | TR_UNIT_IMPENETRABLE | TR_UNIT_BACKDROP) /* of these none yields */
+#define TR_I_MAX_UNIT_ID 0xffffu
+
+static float tr_i_clamp01(float x) {
+    return x > 0.0f ? (x < 1.0f ? x : 1.0f) : 0.0f;
+}
+
+static float tr_i_fade_of(const tr_unit *unit) {
+    return tr_i_all_finite(&unit->fade, 1) ? tr_i_clamp01(unit->fade) : 0.0f;
+}
+
+static float tr_i_importance_of(const tr_unit *unit) {
+    if (!tr_i_all_finite(&unit->importance, 1) || unit->importance == 0.0f)
+        return unit->flags & TR_UNIT_TARGET ? 1.0f : 0.0f;
+    return tr_i_clamp01(unit->importance);
+}
+
+/* How much of what a mask asks for is done, but for what occluders keep: the whole, less importance and fading. */
+static float tr_i_strength_of(const tr_unit *unit) {
+    return tr_i_importance_of(unit) * (unit->flags & TR_UNIT_TARGET ? 1.0f - tr_i_fade_of(unit) : 1.0f);
+}
+
+TR_I_API uint32_t tr_unit_code(const tr_unit *unit) {
+    if (!unit)
+        return 0;
+    return (unit->id & TR_I_MAX_UNIT_ID) | (unit->flags & TR_I_UNIT_FLAGS) << 16 |
+           (uint32_t)(tr_i_strength_of(unit) * 255.0f + 0.5f) << 24;
+}
+
+TR_I_API void tr_advance(void *units, size_t count, size_t stride, const float *wanted, float seconds,
+                         float fade_time) {
+    size_t i;
+    int at_once = !tr_i_positive(fade_time);
+    if (!units || !tr_i_positive(seconds) || !tr_i_all_finite(&seconds, 1))
+        return;
+    for (i = 0; i < count; ++i) {
+        char *at = (char *)units + i * (stride ? stride : sizeof(tr_unit));
+        float goal = wanted && tr_i_all_finite(&wanted[i], 1) ? tr_i_clamp01(wanted[i]) : 0.0f;
+        tr_unit unit;
+        double fade, step;
+        memcpy(&unit, at, sizeof unit);
+        fade = (double)tr_i_fade_of(&unit);
+        step = at_once ? 1.0 : (double)seconds / (double)fade_time;
+        /* Linear, and never past the goal: that is what makes steps add up. */
+        fade = fade < (double)goal ? (fade + step < (double)goal ? fade + step : (double)goal)
+                                   : (fade - step > (double)goal ? fade - step : (double)goal);
+        unit.fade = (float)fade;
+        memcpy(at, &unit, sizeof unit);
+    }
+}
+
+/* World to clip, in double. */
+static void tr_i_view_projection(const float view[16], const float projection[16], double out[16]) {
+    int c, r, k;
+    for (c = 0; c < 4; ++c) {
+        for (r = 0; r < 4; ++r) {
+            double sum = 0;
+            for (k = 0; k < 4; ++k)
+                sum += (double)projection[4 * k + r] * (double)view[4 * c + k];
+            out[4 * c + r] = sum;
+        }
+    }
+}
+
+/* Whether a unit has bounds: else it may be anywhere. */
+static int tr_i_is_bounded(const tr_unit *unit) {
+    return tr_i_all_finite(unit->center, 3) && tr_i_all_finite(&unit->radius, 1) && unit->radius >= 0.0f;
+}
+
+/* Where the planes through the eye (or along the view) and one axis of the screen touch a sphere: clip x / w = t where
+   the plane row_x - t row_w is as far from the centre as the radius; a quadratic in t. Returns 0 for the whole axis. */
+static int tr_i_sphere_span(const double m[16], int axis, const tr_unit *unit, double out[2]) {
+    const float *p = unit->center;
+    double r = (double)unit->radius, a = m[12 + axis], b = m[15], aa = 0, ab = 0, bb = 0, root, middle, scale;
+    int i;
+    for (i = 0; i < 3; ++i) {
+        a += m[4 * i + axis] * (double)p[i];
+        b += m[4 * i + 3] * (double)p[i];
+        aa += m[4 * i + axis] * m[4 * i + axis];
+        ab += m[4 * i + axis] * m[4 * i + 3];
+        bb += m[4 * i + 3] * m[4 * i + 3];
+    }
+    scale = b * b - r * r * bb;
+    middle = a * b - r * r * ab;
+    root = middle * middle - scale * (a * a - r * r * aa);
+    if (!(scale > 0.0) || scale > 1.0e300 || middle > 1.0e150 || middle < -1.0e150)
+        return 0;
+    root = root > 0.0 ? sqrt(root) : 0.0;
+    out[0] = (middle - root) / scale;
+    out[1] = (middle + root) / scale;
+    return 1;
+}
+
+/* -1: the sphere lies wholly behind the eye; 1: wholly before it; 0: it touches the plane of the eye. */
+static int tr_i_side_of_eye(const double m[16], const tr_unit *unit) {
+    double w = m[15], size = 0, r = (double)unit->radius;
+    int i;
+    for (i = 0; i < 3; ++i) {
+        w += m[4 * i + 3] * (double)unit->center[i];
+        size += m[4 * i + 3] * m[4 * i + 3];
+    }
+    r *= sqrt(size);
+    return w > r ? 1 : w < -r ? -1 : 0;
+}
+
+/* From clip coordinates -1 ... 1 to pixels, outward; 0 if none is left. */
+static int tr_i_pixel_span(const double span[2], int size, int out[2]) {
+    double low = floor((span[0] + 1.0) * 0.5 * (double)size), high = ceil((span[1] + 1.0) * 0.5 * (double)size);
+    if (!(low < (double)size) || !(high > 0.0) || high <= low)
+        return 0;
+    out[0] = low > 0.0 ? (int)low : 0;
+    out[1] = high < (double)size ? (int)high : size;
+    return 1;
+}
+
+/* As x0, y0, x1, y1, the last two outside. */
+static int tr_i_unit_bounds(const tr_unit *unit, const double m[16], int width, int height, int out[4]) {
+    double x[2] = {-1.0, 1.0}, y[2] = {-1.0, 1.0};
+    int side = 0, across[2], up[2];
+    if (tr_i_is_bounded(unit)) {
+        side = tr_i_side_of_eye(m, unit);
+        if (side < 0)
+            return 0;
+        if (side > 0 && !(tr_i_sphere_span(m, 0, unit, x) && tr_i_sphere_span(m, 1, unit, y))) {
+            x[0] = y[0] = -1.0;
+            x[1] = y[1] = 1.0;
+        }
+    }
+    if (side > 0 && unit->radius == 0.0f) { /* a point covers the pixel that it lies in */
+        x[1] += 1.0e-9;
+        y[1] += 1.0e-9;
+    }
+    if (!tr_i_pixel_span(x, width, across) || !tr_i_pixel_span(y, height, up))
+        return 0;
+    out[0] = across[0];
+    out[1] = up[0];
+    out[2] = across[1];
+    out[3] = up[1];
+    return 1;
+}
+
+TR_I_API int tr_unit_rectangle(const tr_unit *unit, const float view[16], const float projection[16], int width,
+                               int height, int rectangle[4]) {
+    double m[16];
+    int bounds[4];
+    if (!unit || !view || !projection || !rectangle || width <= 0 || height <= 0 || !tr_i_all_finite(view, 16) ||
+        !tr_i_all_finite(projection, 16))
+        return 0;
+    tr_i_view_projection(view, projection, m);
+    if (!tr_i_unit_bounds(unit, m, width, height, bounds))
+        return 0;
+    rectangle[0] = bounds[0];
+    rectangle[1] = bounds[1];
+    rectangle[2] = bounds[2] - bounds[0];
+    rectangle[3] = bounds[3] - bounds[1];
+    return 1;
+}
+
+/* ---- dynamic transparency: what is drawn where ------------------------------------------------------------------ */
+
+static tr_unit tr_i_unit_at(const tr_dynamic *dynamic, size_t index) {
+    tr_unit unit;
+    size_t stride = dynamic->unit_stride ? dynamic->unit_stride : sizeof unit;
+    memcpy(&unit, (const char *)dynamic->units + index * stride, sizeof unit);
+    return unit;
+}
+
+/* Cells of a multiple of 8 pixels, so that texels of masks do not lie across their borders. */
+static void tr_i_size_grid(tr_i_grid *grid, int width, int height, int side) {
+    grid->side = side;
+    while (width > grid->side * TR_I_CELLS || height > grid->side * TR_I_CELLS)
+        grid->side += 8;
+    grid->columns = (width + grid->side - 1) / grid->side;
+    grid->rows = (height + grid->side - 1) / grid->side;
+}
+
+/* The cells of a rectangle grown by `by` pixels: x0, y0, x1, y1, the last two outside. */
+static void tr_i_cells_of(const tr_i_grid *grid, const tr_i_place *place, int by, int out[4]) {
+    int x0 = (int)place->x0 - by, y0 = (int)place->y0 - by;
+    int x1 = ((int)place->x1 + by + grid->side - 1) / grid->side,
+        y1 = ((int)place->y1 + by + grid->side - 1) / grid->side;
+    out[0] = x0 > 0 ? x0 / grid->side : 0;
+    out[1] = y0 > 0 ? y0 / grid->side : 0;
+    out[2] = x1 < grid->columns ? x1 : grid->columns;
+    out[3] = y1 < grid->rows ? y1 : grid->rows;
+}
+
+static float tr_i_infinite(void) {
+    static const uint32_t bits = 0x7f800000u;
+    float x;
+    memcpy(&x, &bits, sizeof x);
+    return x;
+}
+
+/* Lowers values in the cells of a rectangle (or, with sign -1, raises them). */
+static void tr_i_lower_cells(float *cells, const int box[4], float value, float sign) {
+    int x, y;
+    for (y = box[1]; y < box[3]; ++y)
+        for (x = box[0]; x < box[2]; ++x) {
+            float *cell = &cells[y * TR_I_CELLS + x];
+            *cell = sign * value < sign * *cell ? value : *cell;
+        }
+}
+
+/* Whether any cell of a rectangle has a value that `depth` is not before (sign 1) or not behind (sign -1). */
+static int tr_i_any_cell(const float *cells, const int box[4], float depth, float sign) {
+    int x, y;
+    for (y = box[1]; y < box[3]; ++y)
+        for (x = box[0]; x < box[2]; ++x)
+            if (sign * cells[y * TR_I_CELLS + x] <= sign * depth)
+                return 1;
+    return 0;
+}
+
+static void tr_i_place_unit(const tr_unit *unit, const float view[16], const double m[16], int width, int height,
+                            tr_i_place *place) {
+    double depth, size, r = (double)unit->radius;
+    int bounds[4];
+    memset(place, 0, sizeof *place);
+    if (!tr_i_unit_bounds(unit, m, width, height, bounds))
+        return;
+    place->x0 = (uint16_t)bounds[0];
+    place->y0 = (uint16_t)bounds[1];
+    place->x1 = (uint16_t)bounds[2];
+    place->y1 = (uint16_t)bounds[3];
+    place->last = tr_i_infinite();
+    place->first = -place->last;
+    if (!tr_i_is_bounded(unit))
+        return;
+    depth = -(double)view[14] - (double)view[2] * (double)unit->center[0] - (double)view[6] * (double)unit->center[1] -
+            (double)view[10] * (double)unit->center[2];
+    size = sqrt((double)view[2] * (double)view[2] + (double)view[6] * (double)view[6] +
+                (double)view[10] * (double)view[10]);
+    /* Outward by more than the rounding to float; what is too large for that is infinite. */
+    r = r * size + 1.0e-6 * fabs(depth);
+    if (fabs(depth) + r < 1.0e30) {
+        place->first = (float)(depth - r);
+        place->last = (float)(depth + r);
+    }
+}
+
+/* Rows of cells with masks as few rectangles as a greedy search finds; 0 where they are more than there is room for. */
+static int tr_i_make_tiles(tr_i_grid *grid) {
+    unsigned char open[TR_I_CELLS][TR_I_CELLS];
+    int x, y, x1, y1, i;
+    float none = -tr_i_infinite();
+    grid->tile_count = grid->cell_count = 0;
+    for (y = 0; y < grid->rows; ++y)
+        for (x = 0; x < grid->columns; ++x) {
+            open[y][x] = grid->farthest_target[y * TR_I_CELLS + x] > none;
+            grid->cell_count += open[y][x];
+        }
+    for (y = 0; y < grid->rows; ++y)
+        for (x = 0; x < grid->columns; ++x) {
+            unsigned char *tile = grid->tiles[grid->tile_count];
+            if (!open[y][x])
+                continue;
+            if (grid->tile_count == TR_I_MAX_TILES)
+                return 0;
+            for (x1 = x + 1; x1 < grid->columns && open[y][x1];)
+                ++x1;
+            for (y1 = y, i = x1; i == x1 && y1 < grid->rows;) {
+                for (i = x; i < x1 && open[y1][i];)
+                    ++i;
+                y1 += i == x1;
+            }
+            for (i = y; i < y1; ++i)
+                memset(&open[i][x], 0, (size_t)(x1 - x));
+            tile[0] = (unsigned char)x;
+            tile[1] = (unsigned char)y;
+            tile[2] = (unsigned char)x1;
+            tile[3] = (unsigned char)y1;
+            ++grid->tile_count;
+        }
+    return 1;
+}
+
+static tr_i_law tr_i_law_of(const tr_dynamic *dynamic) {
+    tr_i_law law;
+    law.target = dynamic->alpha_target == 0.0f ? 0.3f : tr_i_clamp01(dynamic->alpha_target);
+    law.start = dynamic->alpha_start == 0.0f ? 0.1f : tr_i_clamp01(dynamic->alpha_start);
+    law.width = dynamic->width == 0.0f ? 12.0f : dynamic->width > 0.0f ? dynamic->width : 0.0f;
+    law.divisor = dynamic->mask_divisor ? dynamic->mask_divisor : 2;
+    law.reach = law.width > 0.0f ? (int)ceil((double)law.width) + 1 : 0;
+    return law;
+}
+
+/* Pixels beyond a target's rectangle that its mask may reach, with the interpolation between texels. */
+static int tr_i_margin(const tr_i_law *law) {
+    return law->reach + (law->reach ? law->divisor : 0);
+}
+
+/* Whether a light reaches a rectangle grown by `by`. */
+static int tr_i_is_lit(const tr_dynamic *dynamic, const tr_i_place *place, int by) {
+    size_t i;
+    for (i = 0; i < dynamic->light_count; ++i) {
+        const tr_light *light = &dynamic->lights[i];
+        double reach = (double)light->radius + (light->edge > 0.0f ? (double)light->edge : 0.0);
+        double x0 = (double)place->x0 - by, x1 = (double)place->x1 + by, y0 = (double)place->y0 - by;
+        double y1 = (double)place->y1 + by, x = (double)light->x, y = (double)light->y;
+        double dx = x < x0 ? x0 - x : x > x1 ? x - x1 : 0.0, dy = y < y0 ? y0 - y : y > y1 ? y - y1 : 0.0;
+        if (dx * dx + dy * dy <= reach * reach)
+            return 1;
+    }
+    return 0;
+}
+
+/* Whether a target in view has a mask at all. */
+static int tr_i_opens(const tr_dynamic *dynamic, const tr_unit *unit, const tr_i_place *place, int margin) {
+    return place->x1 != 0 && tr_i_strength_of(unit) > 0.0f &&
+           (!(unit->flags & TR_UNIT_ACTIVE) || tr_i_is_lit(dynamic, place, margin));
+}
+
+/* Whether an occluder may yield to anything. */
+static int tr_i_yields(const tr_unit *unit) {
+    return !(unit->flags & TR_I_KEPT) && tr_i_importance_of(unit) < 1.0f;
+}
+
+static void tr_i_clear_grid(tr_i_grid *grid) {
+    float none = tr_i_infinite();
+    int i;
+    for (i = 0; i < TR_I_CELLS * TR_I_CELLS; ++i) {
+        grid->nearest_yielding[i] = grid->nearest_target[i] = none;
+        grid->farthest_target[i] = -none;
+    }
+}
+
+/* Places of all units, and where those that yield are. */
+static void tr_i_place_units(tr_i_see *see, const tr_dynamic *dynamic, int width, int height) {
+    double m[16];
+    size_t i;
+    int cells[4];
+    tr_i_view_projection(dynamic->view, dynamic->projection, m);
+    for (i = 0; i < dynamic->unit_count; ++i) {
+        tr_unit unit = tr_i_unit_at(dynamic, i);
+        tr_i_place *place = &see->places[i];
+        tr_i_place_unit(&unit, dynamic->view, m, width, height, place);
+        see->plan.targets += unit.flags & TR_UNIT_TARGET;
+        see->plan.targets_in_view += (unit.flags & TR_UNIT_TARGET) && place->x1 != 0;
+        if (place->x1 == 0 || !tr_i_yields(&unit))
+            continue;
+        tr_i_cells_of(&see->grid, place, 0, cells);
+        tr_i_lower_cells(see->grid.nearest_yielding, cells, place->first, 1.0f);
+    }
+}
+
+static void tr_i_list(tr_i_see *see, int list, size_t unit) {
+    see->lists[list][see->counts[list]++] = (uint32_t)unit;
+}
+
+/* Targets that something may lie before, and the cells of their masks. */
+static void tr_i_find_masks(tr_i_see *see, const tr_dynamic *dynamic) {
+    size_t i;
+    int cells[4], margin = tr_i_margin(&see->law);
+    for (i = 0; i < dynamic->unit_count; ++i) {
+        tr_unit unit = tr_i_unit_at(dynamic, i);
+        const tr_i_place *place = &see->places[i];
+        if (!(unit.flags & TR_UNIT_TARGET) || !tr_i_opens(dynamic, &unit, place, margin))
+            continue;
+        tr_i_cells_of(&see->grid, place, margin, cells);
+        if (!tr_i_any_cell(see->grid.nearest_yielding, cells, place->last, 1.0f))
+            continue;
+        tr_i_list(see, TR_I_UNITS_TARGETS, i);
+        tr_i_lower_cells(see->grid.nearest_target, cells, place->first, 1.0f);
+        tr_i_lower_cells(see->grid.farthest_target, cells, place->last, -1.0f);
+    }
+}
+
+/* Who is drawn again, by the masks that it meets. */
+static void tr_i_list_units(tr_i_see *see, const tr_dynamic *dynamic) {
+    const tr_i_grid *grid = &see->grid;
+    size_t i;
+    int cells[4];
+    for (i = 0; i < dynamic->unit_count; ++i) {
+        tr_unit unit = tr_i_unit_at(dynamic, i);
+        const tr_i_place *place = &see->places[i];
+        int yields = tr_i_yields(&unit);
+        float importance = unit.flags & TR_I_KEPT ? 0.0f : tr_i_importance_of(&unit);
+        tr_i_cells_of(grid, place, 0, cells);
+        if (place->x1 == 0 || !tr_i_any_cell(grid->nearest_target, cells, 3.0e38f, 1.0f))
+            continue;
+        tr_i_list(see, TR_I_UNITS_MASKED, i);
+        if (unit.flags & (TR_UNIT_IMPENETRABLE | TR_UNIT_BACKDROP))
+            tr_i_list(see, TR_I_UNITS_BLOCK, i);
+        if (yields && tr_i_any_cell(grid->farthest_target, cells, place->first, -1.0f)) {
+            tr_i_list(see, TR_I_UNITS_YIELDING, i);
+            see->partial |= importance > 0.0f;
+        }
+        /* What lies before all masks that it meets would be discarded to the last fragment. */
+        if (!yields || importance > 0.0f || tr_i_any_cell(grid->nearest_target, cells, place->last, 1.0f))
+            tr_i_list(see, TR_I_UNITS_BEHIND, i);
+    }
+}
+
+static tr_see_pass *tr_i_add_see_pass(tr_see_plan *plan, tr_pass_kind kind, tr_rule rule, size_t units,
+                                      const char *why) {
+    tr_see_pass *pass = &plan->passes[plan->pass_count++];
+    pass->kind = kind;
+    pass->rule = rule;
+    pass->unit_count = (uint32_t)units;
+    pass->why = why;
+    return pass;
+}
+
+/* Plain drawing. */
+static void tr_i_plan_plain(tr_i_see *see, const char *why) {
+    see->plan.see = TR_SEE_OFF;
+    see->plan.why = why;
+    tr_i_add_see_pass(&see->plan, TR_PASS_SCENE, TR_RULE_SEE_PLAIN, see->counts[TR_I_UNITS_ALL], why);
+}
+
+/* One mask for all targets, with depth. */
+static void tr_i_plan_masks(tr_i_see *see, const tr_dynamic *dynamic) {
+    tr_see_plan *plan = &see->plan;
+    const size_t *counts = see->counts;
+    if (counts[TR_I_UNITS_BLOCK])
+        tr_i_add_see_pass(plan, TR_PASS_BLOCK, TR_RULE_SEE_BLOCK, counts[TR_I_UNITS_BLOCK],
+                          "what closes masks, so that targets behind it open none");
+    tr_i_add_see_pass(plan, TR_PASS_TARGETS, TR_RULE_SEE_TARGET, counts[TR_I_UNITS_TARGETS],
+                      "the nearest target at each pixel");
+    if (see->law.reach) {
+        tr_i_add_see_pass(plan, TR_PASS_SPREAD_X, TR_RULE_SEE_PLAIN, 0, "the nearest pixel of a target in each row");
+        tr_i_add_see_pass(plan, TR_PASS_SPREAD_Y, TR_RULE_SEE_PLAIN, 0, "of these the nearest: distance and depth");
+    }
+    tr_i_add_see_pass(plan, TR_PASS_FINISH, TR_RULE_SEE_PLAIN, 0,
+                      "opacity and depth, with the target's own pixels as drawn");
+    if (dynamic->query) {
+        tr_i_add_see_pass(plan, TR_PASS_QUERY, TR_RULE_SEE_PLAIN, 0, "asked for: which target");
+        tr_i_add_see_pass(plan, TR_PASS_HIDES, TR_RULE_SEE_HIDES, counts[TR_I_UNITS_YIELDING],
+                          "asked for: whether something lies before it");
+    }
+}
+
+static void tr_i_plan_one_mask(tr_i_see *see, const tr_dynamic *dynamic) {
+    tr_see_plan *plan = &see->plan;
+    tr_i_plan_masks(see, dynamic);
+    tr_i_add_see_pass(plan, TR_PASS_PRIME, TR_RULE_SEE_PLAIN, 0, "so that nothing is shaded outside of masks");
+    tr_i_add_see_pass(plan, TR_PASS_BEHIND, TR_RULE_SEE_BEHIND, see->counts[TR_I_UNITS_BEHIND],
+                      "what shows through masks");
+    if (see->partial) {
+        tr_i_add_see_pass(plan, TR_PASS_PRIME, TR_RULE_SEE_PLAIN, 0, "once more");
+        tr_i_add_see_pass(plan, TR_PASS_YIELD, TR_RULE_SEE_YIELD, see->counts[TR_I_UNITS_MASKED],
+                          "some yield in part: importance of the front-most");
+    }
+    tr_i_add_see_pass(plan, TR_PASS_SCENE, TR_RULE_SEE_PLAIN, see->counts[TR_I_UNITS_ALL], "the whole scene, as ever");
+    tr_i_add_see_pass(plan, TR_PASS_COMPOSE_MASK, TR_RULE_SEE_PLAIN, 0, "what shows through masks, over it");
+}
+
+static void tr_i_plan_dither(tr_i_see *see, const tr_dynamic *dynamic) {
+    tr_i_plan_masks(see, dynamic);
+    tr_i_add_see_pass(&see->plan, TR_PASS_SCENE, TR_RULE_SEE_DITHER, see->counts[TR_I_UNITS_ALL],
+                      "the whole scene, with holes before targets");
+}
+
+static void tr_i_plan_passes(tr_i_see *see, const tr_dynamic *dynamic) {
+    switch (dynamic->see) {
+    case TR_SEE_DITHER:
+        tr_i_plan_dither(see, dynamic);
+        break;
+    default:
+        tr_i_plan_one_mask(see, dynamic);
+        break;
+    }
+}
+
+/* The rectangle of all tiles, and the share of the viewport that they cover. */
+static void tr_i_plan_cover(tr_i_see *see, int width, int height) {
+    const tr_i_grid *grid = &see->grid;
+    int *out = see->plan.rectangle, x1 = 0, y1 = 0, i;
+    double area = 0;
+    out[0] = width;
+    out[1] = height;
+    for (i = 0; i < grid->tile_count; ++i) {
+        const unsigned char *tile = grid->tiles[i];
+        int left = tile[0] * grid->side, low = tile[1] * grid->side, right = tile[2] * grid->side;
+        int top = tile[3] * grid->side;
+        right = right < width ? right : width;
+        top = top < height ? top : height;
+        area += (double)(right - left) * (double)(top - low);
+        out[0] = out[0] < left ? out[0] : left;
+        out[1] = out[1] < low ? out[1] : low;
+        x1 = x1 > right ? x1 : right;
+        y1 = y1 > top ? y1 : top;
+    }
+    out[2] = x1 - out[0];
+    out[3] = y1 - out[1];
+    see->plan.tiles = (uint32_t)grid->tile_count;
+    see->plan.covered = (float)(area / ((double)width * (double)height));
+}
+
+/* The grid, coarser until there is room for its tiles, and who is in which list. */
+static void tr_i_find_units(tr_i_see *see, const tr_dynamic *dynamic, int width, int height) {
+    int side = 16, list;
+    do {
+        tr_i_size_grid(&see->grid, width, height, side);
+        tr_i_clear_grid(&see->grid);
+        for (list = 0; list < TR_I_UNIT_LISTS; ++list)
+            see->counts[list] = 0;
+        see->plan.targets = see->plan.targets_in_view = 0;
+        tr_i_place_units(see, dynamic, width, height);
+        tr_i_find_masks(see, dynamic);
+        side = 2 * see->grid.side;
+    } while (!tr_i_make_tiles(&see->grid));
+    for (see->counts[TR_I_UNITS_ALL] = 0; see->counts[TR_I_UNITS_ALL] < dynamic->unit_count;)
+        tr_i_list(see, TR_I_UNITS_ALL, see->counts[TR_I_UNITS_ALL]);
+    if (see->counts[TR_I_UNITS_TARGETS])
+        tr_i_list_units(see, dynamic);
+}
+
+static void tr_i_plan_see(tr_i_see *see, const tr_dynamic *dynamic, int width, int height) {
+    see->law = tr_i_law_of(dynamic);
+    see->partial = 0;
+    memset(&see->plan, 0, sizeof see->plan);
+    if (width == 0 || height == 0) {
+        see->plan.see = TR_SEE_OFF;
+        see->plan.why = "the viewport has no area";
+        return;
+    }
+    tr_i_find_units(see, dynamic, width, height);
+    see->plan.masks = (uint32_t)see->counts[TR_I_UNITS_TARGETS];
+    if (dynamic->see == TR_SEE_OFF) {
+        tr_i_plan_plain(see, "asked for");
+    } else if (see->plan.targets_in_view == 0) {
+        tr_i_plan_plain(see, "no target is in view");
+    } else if (see->plan.masks == 0) {
+        tr_i_plan_plain(see, "nothing that yields may lie before a target");
+    } else {
+        see->plan.see = dynamic->see;
+        see->plan.why = "something that yields may lie before a target";
+        tr_i_plan_cover(see, width, height);
+        tr_i_plan_passes(see, dynamic);
+    }
+}
+
+TR_I_API size_t tr_see_plan_print(const tr_see_plan *plan, char *string, size_t capacity) {
+    static const char *const names[TR_SEE_COUNT] = {"one mask", "dither", "exact", "sequence", "published", "off"};
+    tr_i_text text = tr_i_text_in(string, string ? capacity : 0);
+    int i;
+    if (!plan)
+        return 0;
+    tr_i_put(&text, names[plan->see]);
+    tr_i_put(&text, ": ");
+    tr_i_put(&text, plan->why ? plan->why : "no frame yet");
+    tr_i_put(&text, "; ");
+    tr_i_put_number(&text, plan->targets);
+    tr_i_put(&text, " targets, ");
+    tr_i_put_number(&text, plan->targets_in_view);
+    tr_i_put(&text, " in view, ");
+    tr_i_put_number(&text, plan->masks);
+    tr_i_put(&text, " with masks; ");
+    tr_i_put_number(&text, plan->tiles);
+    tr_i_put(&text, " tiles, ");
+    tr_i_put_number(&text, (uint64_t)(plan->covered * 100.0f + 0.5f));
+    tr_i_put(&text, " % of the viewport\n");
+    for (i = 0; i < plan->pass_count; ++i) {
+        const tr_see_pass *pass = &plan->passes[i];
+        tr_i_put_number(&text, (uint64_t)i + 1);
+        tr_i_put(&text, ". ");
+        tr_i_put(&text, tr_pass_kind_name(pass->kind));
+        if (pass->unit_count) {
+            tr_i_put(&text, " [");
+            tr_i_put_number(&text, pass->unit_count);
+            tr_i_put(&text, " units]");
+        }
+        tr_i_put(&text, ": ");
+        tr_i_put(&text, pass->why);
+        tr_i_put(&text, "\n");
+    }
+    tr_i_put_number(&text, plan->bytes);
+    tr_i_put(&text, " bytes\n");
+    return text.length;
+}
+
+/* ---- dynamic transparency: bad input ---- */
+
+static const char *tr_i_check_law(const tr_dynamic *dynamic) {
+    const float numbers[3] = {dynamic->alpha_target, dynamic->alpha_start, dynamic->width};
+    int divisor = dynamic->mask_divisor;
+    if ((unsigned)dynamic->see >= (unsigned)TR_SEE_COUNT || (unsigned)dynamic->shape > (unsigned)TR_MASK_HULL ||
+        (unsigned)dynamic->combine > (unsigned)TR_MASK_PRODUCT ||
+        (unsigned)dynamic->occluders > (unsigned)TR_OCCLUDERS_EACH)
+        return "dynamic.see, shape, combine or occluders";
+    if (!tr_i_all_finite(numbers, 3) || dynamic->alpha_target > 1.0f || dynamic->alpha_start > 1.0f ||
+        dynamic->width > (float)TR_MAX_MASK_WIDTH)
+        return "dynamic.alpha_target, alpha_start or width";
+    if (divisor != 0 && divisor != 1 && divisor != 2 && divisor != 4 && divisor != 8)
+        return "dynamic.mask_divisor is none of 1, 2, 4, 8";
+    if (dynamic->layers < 0)
+        return "dynamic.layers is negative";
+    if (!tr_i_all_finite(dynamic->view, 16) || !tr_i_all_finite(dynamic->projection, 16) ||
+        !tr_i_all_finite(dynamic->background, 3))
+        return "dynamic.view, projection or background is not finite";
+    return 0;
+}
+
+/* What the rung cannot do. */
+static const char *tr_i_check_rung(const tr_dynamic *dynamic) {
+    int one_mask = dynamic->see == TR_SEE_ONE_MASK, dither = dynamic->see == TR_SEE_DITHER;
+    if (!one_mask && !dither && dynamic->see != TR_SEE_OFF)
+        return "dynamic.see";
+    if (dynamic->shape != TR_MASK_OUTLINE)
+        return "dynamic.shape";
+    if ((one_mask || dither) && dynamic->combine != TR_MASK_MIN)
+        return "dynamic.combine: one mask for all targets is the least of theirs";
+    if (one_mask && dynamic->occluders != TR_OCCLUDERS_TOGETHER)
+        return "dynamic.occluders: TR_SEE_ONE_MASK sees them together";
+    if ((one_mask || dither) && dynamic->layers != 0)
+        return "dynamic.layers: one mask knows no layers";
+    return 0;
+}
+
+static const char *tr_i_check_lights(const tr_dynamic *dynamic) {
+    size_t i;
+    if (dynamic->light_count > TR_MAX_LIGHTS || (dynamic->light_count && !dynamic->lights))
+        return "dynamic.lights is NULL, or light_count above TR_MAX_LIGHTS";
+    for (i = 0; i < dynamic->light_count; ++i) {
+        const tr_light *light = &dynamic->lights[i];
+        const float numbers[4] = {light->x, light->y, light->radius, light->edge};
+        if (!tr_i_all_finite(numbers, 4) || light->radius < 0.0f || light->edge < 0.0f)
+            return "dynamic.lights: a number is not finite, or a radius or edge negative";
+    }
+    return 0;
+}
+
+static const char *tr_i_check_units(const tr_dynamic *dynamic) {
+    unsigned char seen[(TR_I_MAX_UNIT_ID + 1) / 8];
+    size_t i;
+    if (dynamic->unit_count && !dynamic->units)
+        return "dynamic.units is NULL";
+    if ((dynamic->unit_stride && dynamic->unit_stride < sizeof(tr_unit)) || dynamic->unit_count > 0x7fffffffu)
+        return "dynamic.unit_stride or unit_count";
+    memset(seen, 0, sizeof seen);
+    for (i = 0; i < dynamic->unit_count; ++i) {
+        tr_unit unit = tr_i_unit_at(dynamic, i);
+        unsigned char bit = (unsigned char)(1u << (unit.id & 7u));
+        if (unit.id > TR_I_MAX_UNIT_ID || (unit.flags & ~TR_I_UNIT_FLAGS))
+            return "dynamic.units: an id or flags out of range";
+        if (!(unit.flags & TR_UNIT_TARGET))
+            continue;
+        if (unit.flags & TR_UNIT_BACKDROP)
+            return "dynamic.units: a target cannot be a backdrop";
+        if (unit.id == 0 || (seen[unit.id >> 3] & bit))
+            return "dynamic.units: the id of a target is 0, or another one's";
+        seen[unit.id >> 3] |= bit;
+    }
+    return 0;
+}
+
 /* ---- state: saved, set, restored -------------------------------------------------------------------------------- */
 
 /* Switches that every pass wants off, with the first version that has them (0: never). Those that passes set come last. */
@@ -2895,7 +3812,9 @@ static void tr_i_add_preamble(tr_i_source *source, int es, int reversed_z) {
 
 static int tr_i_wants_color(int rule) {
     return rule == TR_RULE_FRONT_ALONE || rule == TR_RULE_PEEL_ALONE || rule == TR_RULE_LAYER ||
-           rule == TR_RULE_LAYER_MARKED || rule == TR_RULE_LAYER_GROUP || rule >= TR_RULE_OPAQUE;
+           rule == TR_RULE_LAYER_MARKED || rule == TR_RULE_LAYER_GROUP || rule == TR_RULE_OPAQUE ||
+           rule == TR_RULE_OPAQUE_ENTERING || rule == TR_RULE_SEE_PLAIN || rule == TR_RULE_SEE_BEHIND ||
+           rule == TR_RULE_SEE_DITHER;
 }
 
 static int tr_i_wants_alpha(int rule) {
@@ -2907,7 +3826,9 @@ static void tr_i_add_rule(tr_i_source *source, int rule) {
         "#define TR_RULE 0\n",  "#define TR_RULE 1\n",  "#define TR_RULE 2\n",  "#define TR_RULE 3\n",
         "#define TR_RULE 4\n",  "#define TR_RULE 5\n",  "#define TR_RULE 6\n",  "#define TR_RULE 7\n",
         "#define TR_RULE 8\n",  "#define TR_RULE 9\n",  "#define TR_RULE 10\n", "#define TR_RULE 11\n",
-        "#define TR_RULE 12\n", "#define TR_RULE 13\n", "#define TR_RULE 14\n"};
+        "#define TR_RULE 12\n", "#define TR_RULE 13\n", "#define TR_RULE 14\n", "#define TR_RULE 15\n",
+        "#define TR_RULE 16\n", "#define TR_RULE 17\n", "#define TR_RULE 18\n", "#define TR_RULE 19\n",
+        "#define TR_RULE 20\n", "#define TR_RULE 21\n"};
     tr_i_add(source, rules[rule]);
     tr_i_add(source, tr_i_wants_color(rule) ? "#define TR_WANTS_COLOR 1\n" : "#define TR_WANTS_COLOR 0\n");
     tr_i_add(source, tr_i_wants_alpha(rule) ? "#define TR_WANTS_ALPHA 1\n" : "#define TR_WANTS_ALPHA 0\n");
@@ -3440,6 +4361,42 @@ static void tr_i_drop_edges(tr_context *tr) {
     memset(tr->edge_rows, 0, sizeof tr->edge_rows);
 }
 
+/* ---- dynamic transparency: memory and textures ------------------------------------------------------------------ */
+
+static uint64_t tr_i_see_bytes(const tr_context *tr) {
+    (void)tr;
+    return 0;
+}
+
+/* Lists for so many units; grown by a quarter more, so that counts that change little allocate nothing. */
+static tr_result tr_i_fit_units(tr_context *tr, size_t count) {
+    tr_i_see *see = &tr->see;
+    size_t capacity = count + count / 4 + 64, each = sizeof(tr_i_place) + TR_I_UNIT_LISTS * sizeof(uint32_t);
+    char *block;
+    int list;
+    if (count <= see->capacity && see->places)
+        return TR_OK;
+    block = (char *)tr->desc.alloc_fn(capacity * each, tr->desc.alloc_user);
+    if (!block)
+        return tr_i_fail(&tr->desc, TR_OUT_OF_MEMORY, "dynamic.units");
+    if (see->places)
+        tr->desc.free_fn(see->places, tr->desc.alloc_user);
+    see->places = (tr_i_place *)(void *)block;
+    see->capacity = capacity;
+    for (list = 0; list < TR_I_UNIT_LISTS; ++list)
+        see->lists[list] =
+            (uint32_t *)(void *)(block + capacity * (sizeof(tr_i_place) + (size_t)list * sizeof(uint32_t)));
+    return TR_OK;
+}
+
+/* Everything but programs. */
+static void tr_i_drop_see(tr_context *tr) {
+    if (tr->see.places)
+        tr->desc.free_fn(tr->see.places, tr->desc.alloc_user);
+    tr->see.places = 0;
+    tr->see.capacity = 0;
+}
+
 TR_I_API tr_result tr_release(tr_context *tr) {
     if (!tr)
         return TR_INVALID_ARGUMENT;
@@ -3448,6 +4405,7 @@ TR_I_API tr_result tr_release(tr_context *tr) {
     tr_i_drop_textures(tr);
     tr_i_drop_edges(tr);
     tr_i_drop_outlines(tr);
+    tr_i_drop_see(tr);
     return TR_OK;
 }
 
@@ -3459,6 +4417,7 @@ TR_I_API void tr_destroy(tr_context *tr) {
     tr->gl.DeleteTextures(1, &tr->textures[TR_I_CROSSINGS]);
     tr_i_drop_edges(tr);
     tr_i_drop_outlines(tr);
+    tr_i_drop_see(tr);
     for (i = 0; i < TR_I_PROGRAM_COUNT; ++i)
         if (tr->programs[i].name)
             tr->gl.DeleteProgram(tr->programs[i].name);
@@ -3478,8 +4437,10 @@ TR_I_API tr_info tr_get_info(const tr_context *tr) {
     info.es = tr->es;
     info.version = tr->version;
     info.plan = &tr->plan;
+    info.see_plan = &tr->see.plan;
+    info.bytes = tr_i_see_bytes(tr);
     if (tr->textures[TR_I_CROSSINGS])
-        info.bytes = (uint64_t)tr->slices[TR_I_CROSSINGS] * TR_I_CROSSING_ROW * 16u;
+        info.bytes += (uint64_t)tr->slices[TR_I_CROSSINGS] * TR_I_CROSSING_ROW * 16u;
     for (i = 0; i < TR_I_TEXTURE_COUNT; ++i)
         if (tr->textures[i] && i != TR_I_CROSSINGS)
             info.bytes += (uint64_t)tr->width * (uint64_t)tr->height * (uint64_t)tr->slices[i] * tr_i_texel_bytes(i);
@@ -4557,6 +5518,7 @@ TR_I_API tr_result tr_begin(tr_context *tr, const tr_frame *frame) {
     tr->frame = *frame;
     tr->frame.scene = counts;
     tr->next_pass = 0;
+    tr->see.active = 0;
     if (tr->plan.pass_count > 0) {
         none = tr->desc.state == TR_STATE_NONE;
         if (!none) {
@@ -4756,9 +5718,79 @@ static void tr_i_draw_triangle(tr_context *tr, const tr_state *state) {
     tr->gl.BindVertexArray((tr_i_u)vertex_array);
 }
 
+/* ---- dynamic transparency: the sequence ------------------------------------------------------------------------- */
+
+static tr_result tr_i_check_dynamic(const tr_context *tr, const tr_frame *frame, const tr_dynamic *dynamic) {
+    const char *wrong = tr_i_check_law(dynamic);
+    if (!wrong)
+        wrong = tr_i_check_rung(dynamic);
+    if (!wrong)
+        wrong = tr_i_check_lights(dynamic);
+    if (!wrong)
+        wrong = tr_i_check_units(dynamic);
+    if (wrong)
+        return tr_i_fail(&tr->desc, TR_INVALID_ARGUMENT, wrong);
+    return tr_i_check_frame(tr, frame);
+}
+
+/* What of a frame is looked at. */
+static tr_frame tr_i_dynamic_frame(const tr_frame *frame) {
+    tr_frame used = *frame;
+    memset(&used.scene, 0, sizeof used.scene);
+    memset(&used.wishes, 0, sizeof used.wishes);
+    used.wishes.options = frame->wishes.options & TR_WISH_SRGB;
+    used.enter_distance = used.group_distance = 0.0f;
+    return used;
+}
+
+TR_I_API tr_result tr_begin_dynamic(tr_context *tr, const tr_frame *frame, const tr_dynamic *dynamic) {
+    tr_frame used;
+    tr_result result;
+    if (!tr || !frame || !dynamic)
+        return TR_INVALID_ARGUMENT;
+    if (tr->in_frame)
+        return tr_i_fail(&tr->desc, TR_WRONG_ORDER, "tr_begin_dynamic");
+    used = tr_i_dynamic_frame(frame);
+    result = tr_i_check_dynamic(tr, &used, dynamic);
+    if (result == TR_OK)
+        result = tr_i_fit_units(tr, dynamic->unit_count);
+    if (result != TR_OK)
+        return result;
+    tr_i_plan_see(&tr->see, dynamic, frame->width, frame->height);
+    tr->frame = used;
+    tr->see.step = 0;
+    tr->see.active = 1;
+    tr->in_frame = 1;
+    return TR_OK;
+}
+
+static int tr_i_next_see_pass(tr_context *tr, tr_pass *pass) {
+    const tr_see_pass *planned;
+    if (tr->see.step >= tr->see.plan.pass_count)
+        return 0;
+    planned = &tr->see.plan.passes[tr->see.step++];
+    memset(pass, 0, sizeof *pass);
+    pass->kind = planned->kind;
+    pass->rule = planned->rule;
+    pass->name = tr_pass_kind_name(planned->kind);
+    pass->units = tr->see.lists[TR_I_UNITS_ALL];
+    pass->unit_count = planned->unit_count;
+    return 1;
+}
+
+TR_I_API tr_result tr_query_hidden(tr_context *tr, tr_hidden *out, size_t capacity, size_t *count) {
+    (void)out, (void)capacity;
+    if (!tr || !count)
+        return TR_INVALID_ARGUMENT;
+    *count = 0;
+    return TR_OK;
+}
+
 TR_I_API int tr_next_pass(tr_context *tr, tr_pass *pass) {
     if (!tr || !pass || !tr->in_frame)
         return 0;
+    if (tr->see.active)
+        return tr_i_next_see_pass(tr, pass);
     while (tr->next_pass < tr->plan.pass_count) {
         const tr_plan_pass *plan = &tr->plan.passes[tr->next_pass++];
         memset(pass, 0, sizeof *pass);
@@ -4963,7 +5995,7 @@ TR_I_API tr_result tr_end(tr_context *tr) {
     if (!tr->in_frame)
         return tr_i_fail(&tr->desc, TR_WRONG_ORDER, "tr_end");
     tr->in_frame = 0;
-    if (tr->plan.pass_count == 0)
+    if (tr->see.active ? tr->see.plan.see == TR_SEE_OFF : tr->plan.pass_count == 0)
         return TR_OK;
     if (tr->desc.state == TR_STATE_RESTORE) {
         tr_i_restore(tr, &tr->saved);
