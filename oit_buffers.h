@@ -120,7 +120,6 @@
    - A fragment at the very depth of the host's opaque surface is hidden.
    - Colours: see oit_color. Into a target of 8 bits the picture is within 1/255 of the exact one, into one of floats
      within 10^-5 with OIT_COLOR_FLOAT. Infinities and NaN in a colour become 0, alpha is cut to [0,1].
-   - Layers behind a transmittance below 2^-24 are left out.
    - The tail takes colours up to 4, takes all layers of a pixel as evenly mixed, and is exact where they have one colour.
    - Mesa's software driver ends a shader's loops after 65,535 rounds: pixels of more than about 1,400 fragments lose some
      there.
@@ -804,21 +803,16 @@ static const char *const oit_i_shader_oit_compose_frag[] = {
     "layout(location = 0) out highp vec4 oit_out;\n"
     "#endif\n"
     "\n"
-    "// Lays the first m of oit_order, which holds `known`. With ties, all records of that depth, be they in this block or not,\n"
-    "// are laid when the first of them is met.\n"
-    "void oit_lay_sorted(uint base, uint n, uint m, uint known, bool tie, inout uint grouped)\n"
+    "#if OIT_DEEP\n"
+    "// Lays the first m of oit_order, which holds `known`. Of ties all records of that depth, be they in this block or not, are\n"
+    "// laid when the first of them is met.\n"
+    "void oit_lay_sorted(uint base, uint n, uint m, uint known, inout uint grouped)\n"
     "{\n"
     "    for (uint i = 0u; i < m && oit_visible(); ++i) {\n"
-    "        uint at = oit_order[i];\n"
-    "        bool alone = true;\n"
-    "        uint depth = 0u;\n"
-    "        if (tie) {\n"
-    "            depth = oit_record_depth(at);\n"
-    "            if (depth == grouped)\n"
-    "                continue;\n"
-    "            alone = i + 1u >= known || oit_record_depth(oit_order[i + 1u]) != depth;\n"
-    "        }\n"
-    "        if (alone) {\n"
+    "        uint at = oit_order[i], depth = oit_record_depth(at);\n"
+    "        if (depth == grouped)\n"
+    "            continue;\n"
+    "        if (i + 1u >= known || oit_record_depth(oit_order[i + 1u]) != depth) {\n"
     "            oit_lay(at);\n"
     "        } else {\n"
     "            oit_lay_group(base, n, depth);\n"
@@ -829,19 +823,14 @@ static const char *const oit_i_shader_oit_compose_frag[] = {
     "\n"
     "void oit_lay_run(uint base, uint n)\n"
     "{\n"
-    "    uint grouped = OIT_NONE;\n"
-    "#if OIT_DEEP\n"
-    "    uint depth = 0u, at = 0u;\n"
+    "    uint depth = 0u, at = 0u, grouped = OIT_NONE;\n"
     "    for (uint done = 0u; done < n && oit_visible(); done += uint(OIT_CLASS)) {\n"
     "        // One more than are laid, to see whether it ties with the last of them.\n"
     "        oit_select(base, n, done > 0u, depth, at);\n"
-    "        oit_lay_sorted(base, n, min(uint(OIT_CLASS), n - done), min(uint(OIT_CLASS + 1), n - done), true, grouped);\n"
+    "        oit_lay_sorted(base, n, min(uint(OIT_CLASS), n - done), min(uint(OIT_CLASS + 1), n - done), grouped);\n"
     "    }\n"
-    "#else\n"
-    "    bool tie = oit_sort(base, n);\n"
-    "    oit_lay_sorted(base, n, n, n, tie, grouped);\n"
-    "#endif\n"
     "}\n"
+    "#endif\n"
     "\n"
     "#if OIT_KEEPS\n"
     "// Behind what is kept, all that is not.\n"
@@ -907,27 +896,17 @@ static const char *const oit_i_shader_oit_compose_glsl[] = {
     "vec3 oit_sum = vec3(0.0);\n"
     "OIT_THROUGH oit_through = OIT_THROUGH(1.0);\n"
     "\n"
-    "// Below 2^-24 of it nothing behind can change a float that is brighter than that.\n"
-    "bool oit_visible()\n"
-    "{\n"
-    "#if OIT_HAS_BLEND\n"
-    "    return max(oit_through.r, max(oit_through.g, oit_through.b)) > 5.9604645e-8;\n"
-    "#else\n"
-    "    return oit_through > 5.9604645e-8;\n"
-    "#endif\n"
-    "}\n"
-    "\n"
-    "void oit_lay(uint at)\n"
+    "void oit_lay(uvec4 r, uvec4 q)\n"
     "{\n"
     "#if OIT_COVERED == OIT_BY_SAMPLE\n"
-    "    if ((OIT_WORD(at, OIT_AT_COVERAGE) >> uint(gl_SampleID) & 1u) == 0u)\n"
+    "    if ((OIT_COVERAGE_OF(OIT_SORTED_WORD(OIT_AT_COVERAGE)) >> uint(gl_SampleID) & 1u) == 0u)\n"
     "        return;\n"
     "#endif\n"
-    "    uvec4 words = oit_record_words(at);\n"
+    "    uvec4 words = oit_color_words(r, q);\n"
     "    vec4 color = oit_unpack_color(words);\n"
     "#if OIT_COVERED == OIT_BY_SHARE\n"
-    "    color *= vec4(vec3(OIT_PREMULTIPLIED == 1 ? OIT_SHARE(OIT_WORD(at, OIT_AT_COVERAGE)) : 1.0),\n"
-    "                  OIT_SHARE(OIT_WORD(at, OIT_AT_COVERAGE)));\n"
+    "    color *= vec4(vec3(OIT_PREMULTIPLIED == 1 ? OIT_SHARE(OIT_COVERAGE_OF(OIT_SORTED_WORD(OIT_AT_COVERAGE))) : 1.0),\n"
+    "                  OIT_SHARE(OIT_COVERAGE_OF(OIT_SORTED_WORD(OIT_AT_COVERAGE))));\n"
     "#endif\n"
     "#if OIT_PREMULTIPLIED\n"
     "    vec3 light = color.rgb;\n"
@@ -938,7 +917,7 @@ static const char *const oit_i_shader_oit_compose_glsl[] = {
     "#if OIT_COLOR == OIT_COLOR_8\n"
     "    uint blend = words.x >> 30u;\n"
     "#else\n"
-    "    uint blend = OIT_WORD(at, OIT_AT_BLEND);\n"
+    "    uint blend = OIT_SORTED_WORD(OIT_AT_BLEND) & 255u;\n"
     "#endif\n"
     "    if (blend == 2u) { // multiply: seen through a filter of that colour\n"
     "        oit_through *= 1.0 - color.a + light;\n"
@@ -951,6 +930,24 @@ static const char *const oit_i_shader_oit_compose_glsl[] = {
     "    oit_sum += oit_through * light;\n"
     "#endif\n"
     "    oit_through *= 1.0 - color.a;\n"
+    "}\n"
+    "\n"
+    "void oit_lay(uint at)\n"
+    "{\n"
+    "    uvec4 r, q;\n"
+    "    oit_load(at, r, q);\n"
+    "    oit_lay(r, q);\n"
+    "}\n"
+    "\n"
+    "#if OIT_DEEP\n"
+    "// Behind what is opaque all weights are zero, so that to stop there changes no bit.\n"
+    "bool oit_visible()\n"
+    "{\n"
+    "#if OIT_HAS_BLEND\n"
+    "    return max(oit_through.r, max(oit_through.g, oit_through.b)) > 0.0;\n"
+    "#else\n"
+    "    return oit_through > 0.0;\n"
+    "#endif\n"
     "}\n"
     "\n"
     "// All records of one depth, in their order, each found anew: ties are rare.\n"
@@ -973,13 +970,27 @@ static const char *const oit_i_shader_oit_compose_glsl[] = {
     "    }\n"
     "}\n"
     "\n"
-    "// What oit_i_add_network writes is made of these: registers d (depth) and o (where the record lies).\n"
-    "#define L(d, o, i) uint d = OIT_NONE, o = base; if (i < n) { o = base + i * uint(OIT_VECTORS); d = oit_record_depth(o); }\n"
-    "#define S(d, o, e, p) { bool g = e < d; uint t = g ? p : o; p = g ? o : p; o = t; t = min(d, e); e = max(d, e); d = t; }\n"
-    "#define T(d, e, i) tie = tie || (d == e && i < n);\n"
+    "// What oit_i_put_selection writes is made of these: registers d (depth) and o (where the record lies).\n"
     "#define D(d, o) uint d = OIT_NONE, o = base;\n"
     "#define I(d, o) { s = s || x < d; uint t = d; d = s ? x : d; x = s ? t : x; t = o; o = s ? y : o; y = s ? t : y; }\n"
-    "uint oit_order[OIT_CLASS + OIT_DEEP];\n",
+    "uint oit_order[OIT_CLASS + 1];\n"
+    "#else\n"
+    "// By all their words, so that two of which neither comes after the other are alike: ties need no further care.\n"
+    "bool oit_words_after(uvec4 a, uvec4 b, bool more)\n"
+    "{\n"
+    "    return a.x > b.x || (a.x == b.x && (a.y > b.y || (a.y == b.y && (a.z > b.z || (a.z == b.z && (a.w > b.w || (a.w == b.w && more)))))));\n"
+    "}\n"
+    "\n"
+    "// What oit_i_put_network writes is made of these: registers r and q (oit_load), swapped where they are in the wrong order,\n"
+    "// then laid. Each record is read once; what is not there comes after all that is, and has no colour and no alpha.\n"
+    "#define L(r, q, i) uvec4 r = uvec4(OIT_NONE, 0u, 0u, 0u), q = uvec4(0u); if (i < n) oit_load(base + i * uint(OIT_VECTORS), r, q);\n"
+    "#if OIT_SORTED > 4\n"
+    "#define S(r, q, u, v) { bool g = oit_words_after(r, u, oit_words_after(q, v, false)); uvec4 t = g ? u : r; u = g ? r : u; r = t; t = g ? v : q; v = g ? q : v; q = t; }\n"
+    "#else\n"
+    "#define S(r, q, u, v) { bool g = oit_words_after(r, u, false); uvec4 t = g ? u : r; u = g ? r : u; r = t; }\n"
+    "#endif\n"
+    "#define Y(r, q, i) oit_lay(r, q);\n"
+    "#endif\n",
     0};
 static const char *const oit_i_shader_oit_depth_frag[] = {
     "#line 1\n"
@@ -1257,18 +1268,49 @@ static const char *const oit_i_shader_oit_record_glsl[] = {
     "#endif\n"
     "}\n"
     "\n"
-    "// The words of the colour; of one vector where they lie in one, which some drivers load much faster.\n"
-    "uvec4 oit_record_words(uint at)\n"
+    "// The words by which records are sorted and composed: the first OIT_SORTED of them, depth to colour and blend, in two\n"
+    "// vectors; zeros after them. What a record carries beyond cannot be seen in the picture.\n"
+    "#define OIT_COVERAGE_OF(word) ((word) >> uint(OIT_COVERAGE_SHIFT))\n"
+    "#define OIT_SORTED_WORD(i) ((i) < 4 ? r[(i) & 3] : q[(i) & 3])\n"
+    "void oit_load(uint at, out uvec4 r, out uvec4 q)\n"
     "{\n"
-    "#if OIT_COLOR != OIT_COLOR_FLOAT && OIT_LANES == 4 && OIT_AT_COLOR < 3\n"
-    "    uvec4 w = oit_data[at];\n"
-    "    return uvec4(w[OIT_AT_COLOR], w[OIT_AT_COLOR + 1], 0u, 0u);\n"
-    "#elif OIT_COLOR != OIT_COLOR_FLOAT\n"
-    "    return uvec4(OIT_WORD(at, OIT_AT_COLOR), OIT_WORD(at, OIT_AT_COLOR + 1), 0u, 0u);\n"
-    "#else\n"
-    "    return uvec4(OIT_WORD(at, OIT_AT_COLOR), OIT_WORD(at, OIT_AT_COLOR + 1), OIT_WORD(at, OIT_AT_COLOR + 2),\n"
-    "                 OIT_WORD(at, OIT_AT_COLOR + 3));\n"
+    "    q = uvec4(0u);\n"
+    "#if OIT_LANES == 4\n"
+    "    r = oit_data[at];\n"
+    "#if OIT_SORTED > 4\n"
+    "    q = oit_data[at + 1u];\n"
     "#endif\n"
+    "#else\n"
+    "    r = uvec4(oit_data[at], oit_data[at + 1u]);\n"
+    "#if OIT_SORTED > 4\n"
+    "    q.xy = oit_data[at + 2u];\n"
+    "#endif\n"
+    "#if OIT_SORTED > 6\n"
+    "    q.zw = oit_data[at + 3u];\n"
+    "#endif\n"
+    "#endif\n"
+    "#if OIT_SORTED < 4\n"
+    "    r.w = 0u;\n"
+    "#endif\n"
+    "#if OIT_SORTED < 6\n"
+    "    q.y = 0u;\n"
+    "#endif\n"
+    "#if OIT_SORTED < 7\n"
+    "    q.z = 0u;\n"
+    "#endif\n"
+    "#if OIT_SORTED < 8\n"
+    "    q.w = 0u;\n"
+    "#endif\n"
+    "}\n"
+    "\n"
+    "uvec4 oit_color_words(uvec4 r, uvec4 q)\n"
+    "{\n"
+    "    uvec4 w = uvec4(OIT_SORTED_WORD(OIT_AT_COLOR), OIT_SORTED_WORD(OIT_AT_COLOR + 1), 0u, 0u);\n"
+    "#if OIT_COLOR == OIT_COLOR_FLOAT\n"
+    "    w.z = OIT_SORTED_WORD(OIT_AT_COLOR + 2);\n"
+    "    w.w = OIT_SORTED_WORD(OIT_AT_COLOR + 3);\n"
+    "#endif\n"
+    "    return w;\n"
     "}\n",
     0};
 static const char *const oit_i_shader_oit_report_comp[] = {
@@ -1555,7 +1597,7 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "        w[OIT_AT_COLOR + i] = floatBitsToUint(color[i]);\n"
     "#endif\n"
     "#if OIT_HAS_BLEND && OIT_COLOR != OIT_COLOR_8\n"
-    "    w[OIT_AT_BLEND] = f.blend;\n"
+    "    w[OIT_AT_BLEND] = f.blend & 255u;\n"
     "#endif\n"
     "#if OIT_HAS_NORMAL\n"
     "    w[OIT_AT_NORMAL] = oit_pack_normal(f.normal);\n"
@@ -1565,7 +1607,7 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "    w[OIT_AT_UV + 1] = floatBitsToUint(f.uv.y);\n"
     "#endif\n"
     "#if OIT_HAS_COVERAGE\n"
-    "    w[OIT_AT_COVERAGE] = oit_coverage();\n"
+    "    w[OIT_AT_COVERAGE] |= oit_coverage() << uint(OIT_COVERAGE_SHIFT);\n"
     "#endif\n"
     "#if OIT_HOST_WORDS > 0\n"
     "    for (int i = 0; i < OIT_HOST_WORDS; ++i)\n"
@@ -2969,6 +3011,8 @@ static void oit_i_define(oit_i_text *text, const char *name, int64_t value) {
 /* Where the words of a record lie, in the order in which they are compared; 0: not there. */
 typedef struct oit_i_record {
     int part, key, color, blend, normal, uv, coverage, host, words, lanes;
+    int sorted;         /* words up to colour, blend and coverage, by which runs are sorted and composed: 8 at most */
+    int coverage_shift; /* bits; coverage shares the word of blend where that has one */
 } oit_i_record;
 
 static oit_i_record oit_i_layout(const oit_desc *desc) {
@@ -2983,14 +3027,17 @@ static oit_i_record oit_i_layout(const oit_desc *desc) {
     next += desc->color == OIT_COLOR_FLOAT ? 4 : 2;
     if ((desc->fields & OIT_FIELD_BLEND) && desc->color != OIT_COLOR_8)
         at.blend = next++;
+    if (desc->fields & OIT_FIELD_COVERAGE) {
+        at.coverage = at.blend ? at.blend : next++;
+        at.coverage_shift = at.blend ? 8 : 0;
+    }
+    at.sorted = next;
     if (desc->fields & OIT_FIELD_NORMAL)
         at.normal = next++;
     if (desc->fields & OIT_FIELD_UV) {
         at.uv = next;
         next += 2;
     }
-    if (desc->fields & OIT_FIELD_COVERAGE)
-        at.coverage = next++;
     at.host = next;
     next += desc->host_words;
     /* In vectors, which drivers move at once: of four words, or of two where that saves memory. */
@@ -3039,6 +3086,7 @@ static void oit_i_write_preamble(const oit_desc *desc, int es, char *at, size_t 
     oit_i_define(&text, "OIT_LANES", record.lanes);
     oit_i_define(&text, "OIT_VECTORS", record.words / record.lanes);
     oit_i_put(&text, record.lanes == 4 ? "#define OIT_VECTOR uvec4\n" : "#define OIT_VECTOR uvec2\n");
+    oit_i_define(&text, "OIT_SORTED", record.sorted);
     oit_i_define(&text, "OIT_AT_PART", record.part);
     oit_i_define(&text, "OIT_AT_KEY", record.key);
     oit_i_define(&text, "OIT_AT_COLOR", record.color);
@@ -3046,6 +3094,7 @@ static void oit_i_write_preamble(const oit_desc *desc, int es, char *at, size_t 
     oit_i_define(&text, "OIT_AT_NORMAL", record.normal);
     oit_i_define(&text, "OIT_AT_UV", record.uv);
     oit_i_define(&text, "OIT_AT_COVERAGE", record.coverage);
+    oit_i_define(&text, "OIT_COVERAGE_SHIFT", record.coverage_shift);
     oit_i_define(&text, "OIT_AT_HOST", record.host);
     oit_i_define(&text, "OIT_COLOR", (int)desc->color);
     oit_i_define(&text, "OIT_STORE", (int)desc->store);
@@ -3081,17 +3130,11 @@ static void oit_i_host_source(oit_i_source *source, oit_stage stage, int fill, i
 
 #define OIT_I_NETWORK_CAPACITY ((size_t)48 << 10)
 
-static void oit_i_put_pair(oit_i_text *text, const char *macro, int first, int second) {
+static void oit_i_put_pair(oit_i_text *text, const char *macro, int i) {
     oit_i_put(text, macro);
-    oit_i_put_number(text, first);
+    oit_i_put_number(text, i);
     oit_i_put(text, ",o");
-    oit_i_put_number(text, first);
-    if (second >= 0) {
-        oit_i_put(text, ",d");
-        oit_i_put_number(text, second);
-        oit_i_put(text, ",o");
-        oit_i_put_number(text, second);
-    }
+    oit_i_put_number(text, i);
     oit_i_put(text, ")\n");
 }
 
@@ -3106,37 +3149,48 @@ static void oit_i_put_order(oit_i_text *text, int size) {
     }
 }
 
-/* oit_sort: up to `size` records in registers through Batcher's odd-even merge network. Returns whether depths tie. */
-static void oit_i_put_network(oit_i_text *text, int size) {
-    int i, j, k, p;
-    oit_i_put(text, "bool oit_sort(uint base, uint n)\n{\n");
+/* "M(r1,q1" and, unless second is negative, ",r2,q2". */
+static void oit_i_put_registers(oit_i_text *text, const char *macro, int first, int second) {
+    oit_i_put(text, macro);
+    oit_i_put(text, "(r");
+    oit_i_put_number(text, first);
+    oit_i_put(text, ",q");
+    oit_i_put_number(text, first);
+    if (second < 0)
+        return;
+    oit_i_put(text, ",r");
+    oit_i_put_number(text, second);
+    oit_i_put(text, ",q");
+    oit_i_put_number(text, second);
+}
+
+/* macro(r, q, i) for each of `size` registers */
+static void oit_i_put_each(oit_i_text *text, const char *macro, int size) {
+    int i;
     for (i = 0; i < size; ++i) {
-        oit_i_put(text, "L(d");
-        oit_i_put_number(text, i);
-        oit_i_put(text, ",o");
-        oit_i_put_number(text, i);
+        oit_i_put_registers(text, macro, i, -1);
         oit_i_put(text, ",");
         oit_i_put_number(text, i);
         oit_i_put(text, "u)\n");
     }
+}
+
+/* oit_lay_run for up to `size` records: read, put in order by Batcher's odd-even merge network, laid; all in registers, in
+   one straight line. */
+static void oit_i_put_network(oit_i_text *text, int size) {
+    int i, j, k, p;
+    oit_i_put(text, "void oit_lay_run(uint base, uint n)\n{\n");
+    oit_i_put_each(text, "L", size);
     for (p = 1; p < size; p *= 2)
         for (k = p; k >= 1; k /= 2)
             for (j = k % p; j + k < size; j += 2 * k)
                 for (i = 0; i < k && i + j + k < size; ++i)
-                    if ((i + j) / (2 * p) == (i + j + k) / (2 * p))
-                        oit_i_put_pair(text, "S(d", i + j, i + j + k);
-    oit_i_put(text, "bool tie = false;\n");
-    for (i = 1; i < size; ++i) {
-        oit_i_put(text, "T(d");
-        oit_i_put_number(text, i - 1);
-        oit_i_put(text, ",d");
-        oit_i_put_number(text, i);
-        oit_i_put(text, ",");
-        oit_i_put_number(text, i);
-        oit_i_put(text, "u)\n");
-    }
-    oit_i_put_order(text, size);
-    oit_i_put(text, "return tie;\n}\n");
+                    if ((i + j) / (2 * p) == (i + j + k) / (2 * p)) {
+                        oit_i_put_registers(text, "S", i + j, i + j + k);
+                        oit_i_put(text, ")\n");
+                    }
+    oit_i_put_each(text, "Y", size);
+    oit_i_put(text, "}\n");
 }
 
 /* oit_select: of n records the `size` first that come after (depth, from), by depth and then by where they lie. The last
@@ -3145,13 +3199,13 @@ static void oit_i_put_selection(oit_i_text *text, int size) {
     int i;
     oit_i_put(text, "void oit_select(uint base, uint n, bool more, inout uint depth, inout uint from)\n{\n");
     for (i = 0; i < size; ++i)
-        oit_i_put_pair(text, "D(d", i, -1);
+        oit_i_put_pair(text, "D(d", i);
     oit_i_put(text, "for (uint i = 0u; i < n; ++i) {\nuint y = base + i * uint(OIT_VECTORS), x = oit_record_depth(y);\n"
                     "if (x >= d");
     oit_i_put_number(text, size - 1);
     oit_i_put(text, " || (more && (x < depth || (x == depth && y <= from))))\ncontinue;\nbool s = false;\n");
     for (i = 0; i < size; ++i)
-        oit_i_put_pair(text, "I(d", i, -1);
+        oit_i_put_pair(text, "I(d", i);
     oit_i_put(text, "}\ndepth = d");
     oit_i_put_number(text, size - 2);
     oit_i_put(text, ";\nfrom = o");
@@ -4322,13 +4376,13 @@ static void oit_i_read_record(const oit_desc *desc, const oit_i_u *words, oit_pi
     if (at.key)
         pick->key = words[at.key];
     if (desc->fields & OIT_FIELD_BLEND)
-        pick->blend = at.blend ? words[at.blend] : words[at.color] >> 30;
+        pick->blend = at.blend ? words[at.blend] & 255u : words[at.color] >> 30;
     if (at.normal)
         oit_i_read_normal(words[at.normal], pick->normal);
     for (i = 0; i < 2 && at.uv; ++i)
         pick->uv[i] = oit_i_as_float(words[at.uv + i]);
     if (at.coverage)
-        pick->coverage = words[at.coverage];
+        pick->coverage = words[at.coverage] >> at.coverage_shift;
     for (i = 0; i < desc->host_words; ++i)
         pick->words[i] = words[at.host + i];
 }

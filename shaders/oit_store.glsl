@@ -201,7 +201,7 @@ void oit_write(uint at, oit_fragment f)
         w[OIT_AT_COLOR + i] = floatBitsToUint(color[i]);
 #endif
 #if OIT_HAS_BLEND && OIT_COLOR != OIT_COLOR_8
-    w[OIT_AT_BLEND] = f.blend;
+    w[OIT_AT_BLEND] = f.blend & 255u;
 #endif
 #if OIT_HAS_NORMAL
     w[OIT_AT_NORMAL] = oit_pack_normal(f.normal);
@@ -211,7 +211,7 @@ void oit_write(uint at, oit_fragment f)
     w[OIT_AT_UV + 1] = floatBitsToUint(f.uv.y);
 #endif
 #if OIT_HAS_COVERAGE
-    w[OIT_AT_COVERAGE] = oit_coverage();
+    w[OIT_AT_COVERAGE] |= oit_coverage() << uint(OIT_COVERAGE_SHIFT);
 #endif
 #if OIT_HOST_WORDS > 0
     for (int i = 0; i < OIT_HOST_WORDS; ++i)
