@@ -62,9 +62,19 @@ uint oit_record_blend(uint at)
 #if OIT_HAS_BLEND && OIT_COLOR == OIT_COLOR_8
     return OIT_WORD(at, OIT_AT_COLOR) >> 30u;
 #elif OIT_HAS_BLEND
-    return OIT_WORD(at, OIT_AT_BLEND);
+    return OIT_WORD(at, OIT_AT_BLEND) & 255u;
 #else
     return 0u;
+#endif
+}
+
+vec4 oit_record_color(uint at)
+{
+#if OIT_COLOR == OIT_COLOR_FLOAT
+    return oit_unpack_color(uvec4(OIT_WORD(at, OIT_AT_COLOR), OIT_WORD(at, OIT_AT_COLOR + 1), OIT_WORD(at, OIT_AT_COLOR + 2),
+                                  OIT_WORD(at, OIT_AT_COLOR + 3)));
+#else
+    return oit_unpack_color(uvec4(OIT_WORD(at, OIT_AT_COLOR), OIT_WORD(at, OIT_AT_COLOR + 1), 0u, 0u));
 #endif
 }
 
@@ -88,7 +98,7 @@ float oit_depth(uint slot) // window depth
 
 vec4 oit_color(uint slot) // as it was stored
 {
-    return oit_unpack_color(oit_record_words(oit_record(slot)));
+    return oit_record_color(oit_record(slot));
 }
 
 bool oit_is_surface(uint slot)

@@ -59,10 +59,10 @@ void oit_operate(uint p)
         bool missing = (bits & 1u) != 0u, under = (bits & 2u) != 0u && OIT_STEP.x == 0u, before = (bits & 4u) != 0u;
         oit_surface[OIT_IN_REACH + slot] =
             (missing ? 0u : under ? OIT_BLOCKED : OIT_UNREACHED) | (before ? 0u : OIT_UNREACHED) << 16u;
-        if (OIT_IN_BETA != 0u) {
+        if (OIT_IN_BETA != 0u)
             oit_surface[OIT_IN_BETA + slot] = floatBitsToUint(missing ? 1.0 : 0.0);
+        if (OIT_IN_GAMMA != 0u)
             oit_surface[OIT_IN_GAMMA + slot] = floatBitsToUint(before ? 1.0 : 0.0);
-        }
     }
     if (p == 0u) // the passes of jumps that come first find that something has changed
         for (uint i = 4u; i < 8u; ++i)

@@ -77,7 +77,7 @@ vec4 oit_surface_color(uint slot, vec4 color)
 void oit_lay(uint slot)
 {
     uint at = oit_record(slot), blend = oit_record_blend(at);
-    vec4 color = oit_unpack_color(oit_record_words(at));
+    vec4 color = oit_record_color(at);
     float printed = color.a;
 #if OIT_PREMULTIPLIED
     color.rgb = color.a > 0.0 ? color.rgb / color.a : vec3(0.0);
