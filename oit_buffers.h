@@ -496,8 +496,8 @@ typedef struct oit_spread {
 
 typedef struct oit_smart {
     oit_spread base, beta, gamma; /* where no LAW was run, base starts as GIVEN */
-    int jumps;  /* 1: few passes that go far along rows and columns instead of one an iteration; see JUMPS */
-    int rounds; /* of jumps: a pass along rows and one along columns; 0: default as many as reach without a bend, + 1 */
+    int jumps; /* 1: few passes that go far along rows and columns instead of one an iteration; see JUMPS */
+    int rounds; /* of jumps: a pass along rows and one along columns; 0: default what reaches without a bend, and 3 for bends */
     int until_stable; /* 1: as many rounds as are needed: beta and gamma as iterated, exactly */
     float thin;       /* beta and gamma reach no farther than this share of the surface's width there; 0: any (paper) */
     int published;    /* 1: the paper's own: mean of four in equation 8, equation 9 without b, plain layer indices, and
@@ -1313,13 +1313,10 @@ static const char *const oit_i_shader_oit_operator_glsl[] = {
     "// Layer of the neighbour within its pixel; OIT_NONE: there is no neighbour.\n"
     "uint oit_link(uint slot, uint direction)\n"
     "{\n"
-    "    if (OIT_IN_FAR_LINKS == 0u) {\n"
-    "        uint layer = oit_surface[OIT_IN_LINKS + slot] >> (8u * direction) & 255u;\n"
-    "        return layer == 255u ? OIT_NONE : layer;\n"
-    "    }\n"
-    "    uint word = oit_surface[(direction < 2u ? OIT_IN_LINKS : OIT_IN_FAR_LINKS) + slot];\n"
-    "    uint layer = word >> (16u * (direction & 1u)) & 65535u;\n"
-    "    return layer == 65535u ? OIT_NONE : layer;\n"
+    "    bool wide = OIT_IN_FAR_LINKS != 0u; // without a branch: some drivers go both ways\n"
+    "    uint word = oit_surface[(wide && direction >= 2u ? OIT_IN_FAR_LINKS : OIT_IN_LINKS) + slot];\n"
+    "    uint none = wide ? 65535u : 255u, layer = word >> (wide ? 16u * (direction & 1u) : 8u * direction) & none;\n"
+    "    return layer == none ? OIT_NONE : layer;\n"
     "}\n"
     "\n"
     "// Slot of the neighbour of a fragment of pixel p, or OIT_NONE.\n"
@@ -1346,6 +1343,21 @@ static const char *const oit_i_shader_oit_operator_glsl[] = {
     "    return distance <= n ? max(1.0 - lambda * float(distance), 0.0) : 0.0;\n"
     "}\n"
     "\n"
+    "// What lambda has to be for a field to end within its share of the surface's width (oit_set[7].z), which is the distance\n"
+    "// between the fragments with boundary conditions on either side along the row, or the column if that is less. Distances\n"
+    "// beyond oit_set[7].w are not known for certain: there it is wide.\n"
+    "float oit_steepest(uint slot, float lambda)\n"
+    "{\n"
+    "    float width = 1.0e9;\n"
+    "    for (uint axis = 0u; axis < 2u; ++axis) {\n"
+    "        uint word = oit_surface[(axis == 0u ? OIT_IN_SIZES : OIT_EXTRA_STEP.z) + slot];\n"
+    "        uvec2 sides = uvec2(word & 65535u, word >> 16u);\n"
+    "        if (float(max(sides.x, sides.y)) <= oit_set[7].w)\n"
+    "            width = min(width, float(sides.x + sides.y));\n"
+    "    }\n"
+    "    return max(lambda, 1.0 / max(oit_set[7].z * width, 1.0));\n"
+    "}\n"
+    "\n"
     "uint oit_steps(uint slot, bool gamma)\n"
     "{\n"
     "    return oit_surface[OIT_IN_REACH + slot] >> (gamma ? 16u : 0u) & 65535u;\n"
@@ -1364,7 +1376,10 @@ static const char *const oit_i_shader_oit_operator_glsl[] = {
     "    uint diffused = gamma ? OIT_IN_GAMMA : OIT_IN_BETA;\n"
     "    if (diffused != 0u)\n"
     "        return uintBitsToFloat(oit_surface[diffused + slot]);\n"
-    "    return oit_reached(oit_steps(slot, gamma), gamma ? OIT_EXTRA_STEP.y : OIT_EXTRA_STEP.x, gamma ? oit_set[7].y : oit_set[7].x);\n"
+    "    float lambda = gamma ? oit_set[7].y : oit_set[7].x;\n"
+    "    if (oit_set[7].z > 0.0)\n"
+    "        lambda = oit_steepest(slot, lambda);\n"
+    "    return oit_reached(oit_steps(slot, gamma), gamma ? OIT_EXTRA_STEP.y : OIT_EXTRA_STEP.x, lambda);\n"
     "}\n"
     "\n"
     "#ifndef OIT_COMPOSES\n"
@@ -1375,7 +1390,8 @@ static const char *const oit_i_shader_oit_operator_glsl[] = {
     "    x = (bits & 0x7f800000u) == 0x7f800000u ? 0.0 : x;\n"
     "    if (which == OIT_BASE)\n"
     "        oit_surface[OIT_IN_BASE + slot] = floatBitsToUint(clamp(x, 0.0, 1.0));\n"
-    "    else\n"
+    "    else\n",
+    "#line 232\n"
     "        oit_surface[OIT_IN_HOST[which - OIT_HOST] + slot] = floatBitsToUint(x);\n"
     "}\n"
     "\n"
@@ -1406,8 +1422,7 @@ static const char *const oit_i_shader_oit_operator_glsl[] = {
     "    return (2.0 * vec2(float(p % width), float(p / width)) + 1.0) / vec2(oit_area.zw) - 1.0;\n"
     "}\n"
     "\n"
-    "// In the space of the eye.\n",
-    "#line 248\n"
+    "// In the space of the eye.\n"
     "vec3 oit_position(vec2 device, float depth)\n"
     "{\n"
     "    float z = -oit_distance(depth);\n"
@@ -1513,21 +1528,24 @@ static const char *const oit_i_shader_oit_operator_chain_comp[] = {
     "// fragments that up to 15 links lead to. Where the surface ends the walk turns back, which is what leaving out a link's\n"
     "// term does in each step. Rows after columns are not quite both at a time: the error is in docs/smart.md. OIT_STEP: x: 0\n"
     "// rows, 1 columns; y: links to follow; oit_set[0 ... 3]: weights of the fragment itself, of one link each way, ...\n"
+    "uint oit_firsts[31]; // slots of the pixels around, the own one in the middle\n"
+    "\n"
     "float oit_weight(uint k)\n"
     "{\n"
     "    return oit_set[k >> 2u][k & 3u];\n"
     "}\n"
     "\n"
-    "float oit_walk(uint p, uint slot, uint direction)\n"
+    "float oit_walk(uint slot, uint direction)\n"
     "{\n"
     "    float sum = 0.0;\n"
+    "    uint place = 15u;\n"
     "    for (uint k = 1u; k <= OIT_STEP.y; ++k) {\n"
-    "        uint next = oit_neighbour(p, slot, direction);\n"
-    "        if (next == OIT_NONE) {\n"
+    "        uint layer = oit_link(slot, direction);\n"
+    "        if (layer == OIT_NONE) {\n"
     "            direction ^= 1u;\n"
     "        } else {\n"
-    "            slot = next;\n"
-    "            oit_beside(p, direction, p);\n"
+    "            place = (direction & 1u) != 0u ? place + 1u : place - 1u;\n"
+    "            slot = oit_firsts[place] + layer;\n"
     "        }\n"
     "        sum += oit_weight(k) * oit_before(slot);\n"
     "    }\n"
@@ -1536,10 +1554,16 @@ static const char *const oit_i_shader_oit_operator_chain_comp[] = {
     "\n"
     "void oit_operate(uint p)\n"
     "{\n"
-    "    uint first, n = oit_list(p, first);\n"
+    "    uint first, n = oit_list(p, first), width = uint(oit_area.z), reach = OIT_STEP.y;\n"
+    "    if (n == 0u)\n"
+    "        return;\n"
+    "    bool column = OIT_STEP.x != 0u;\n"
+    "    uint stride = column ? width : 1u, at = column ? p / width : p % width, end = uint(column ? oit_area.w : oit_area.z);\n"
+    "    for (uint k = 15u - min(at, reach); k <= 15u + min(reach, end - 1u - at); ++k)\n"
+    "        oit_list(p + k * stride - 15u * stride, oit_firsts[k]);\n"
     "    for (uint i = 0u; i < n; ++i)\n"
-    "        oit_set_after(first + i, oit_weight(0u) * oit_before(first + i) + oit_walk(p, first + i, 2u * OIT_STEP.x) +\n"
-    "                                     oit_walk(p, first + i, 2u * OIT_STEP.x + 1u));\n"
+    "        oit_set_after(first + i, oit_weight(0u) * oit_before(first + i) + oit_walk(first + i, 2u * OIT_STEP.x) +\n"
+    "                                     oit_walk(first + i, 2u * OIT_STEP.x + 1u));\n"
     "}\n",
     0};
 static const char *const oit_i_shader_oit_operator_compose_frag[] = {
@@ -1741,11 +1765,21 @@ static const char *const oit_i_shader_oit_operator_connect_comp[] = {
     "    return max(1.0 - dot(side.normal, oit_record_normal(at)), 0.0);\n"
     "}\n"
     "\n"
+    "bool oit_may_join(oit_side side, uint at)\n"
+    "{\n"
+    "    ++oit_pairs;\n"
+    "    return OIT_WORD(at, OIT_AT_PART) == side.part && oit_record_blend(at) == 0u;\n"
+    "}\n"
+    "\n"
+    "float oit_measure_by_depth(oit_side side, uint at, float apart)\n"
+    "{\n"
+    "    return apart <= OIT_LIMIT_APART ? OIT_DEPTH_WEIGHT * apart + OIT_NORMAL_WEIGHT * oit_bend(side, at) : oit_never;\n"
+    "}\n"
+    "\n"
     "float oit_measure(oit_side side, uint slot)\n"
     "{\n"
     "    uint at = oit_record(slot);\n"
-    "    ++oit_pairs;\n"
-    "    if (OIT_WORD(at, OIT_AT_PART) != side.part || oit_record_blend(at) != 0u)\n"
+    "    if (!oit_may_join(side, at))\n"
     "        return oit_never;\n"
     "#if OIT_HAS_UV\n"
     "    if (OIT_STEP.z == OIT_BY_UV) {\n"
@@ -1757,10 +1791,7 @@ static const char *const oit_i_shader_oit_operator_connect_comp[] = {
     "        float gap = side.depth - oit_record_window_depth(at);\n"
     "        return oit_bend(side, at) + gap * gap;\n"
     "    }\n"
-    "    float apart = oit_apart(side, at);\n"
-    "    if (!(apart <= OIT_LIMIT_APART))\n"
-    "        return oit_never;\n"
-    "    return OIT_DEPTH_WEIGHT * apart + OIT_NORMAL_WEIGHT * oit_bend(side, at);\n"
+    "    return oit_measure_by_depth(side, at, oit_apart(side, at));\n"
     "}\n"
     "\n"
     "// All of the list; of several that measure the same the nearest to the eye.\n"
@@ -1771,6 +1802,30 @@ static const char *const oit_i_shader_oit_operator_connect_comp[] = {
     "    for (uint i = 0u; i < n; ++i) {\n"
     "        float measure = oit_measure(side, first + i);\n"
     "        best = measure < least ? i : best;\n"
+    "        least = measure < least ? measure : least;\n"
+    "    }\n"
+    "    return best;\n"
+    "}\n"
+    "\n"
+    "// The same for a list that is grouped by part: only that part is looked at (Murray 2016, section 5.1).\n"
+    "uint oit_best_of_part(oit_side side, uint first, uint n, out float least)\n"
+    "{\n"
+    "    uint best = OIT_NONE, low = 0u;\n"
+    "    for (uint high = n; low < high;) { // where its group begins\n"
+    "        uint middle = (low + high) / 2u;\n"
+    "        if (oit_part(first + oit_surface[OIT_IN_GROUPED + first + middle]) < side.part)\n"
+    "            low = middle + 1u;\n"
+    "        else\n"
+    "            high = middle;\n"
+    "    }\n"
+    "    least = oit_never;\n"
+    "    for (; low < n; ++low) {\n"
+    "        uint i = oit_surface[OIT_IN_GROUPED + first + low];\n"
+    "        if (oit_part(first + i) != side.part)\n"
+    "            break;\n"
+    "        float measure = oit_measure(side, first + i);\n"
+    "        best = measure < least ? i : best;\n",
+    "#line 117\n"
     "        least = measure < least ? measure : least;\n"
     "    }\n"
     "    return best;\n"
@@ -1792,14 +1847,13 @@ static const char *const oit_i_shader_oit_operator_connect_comp[] = {
     "        --from;\n"
     "    uint before = from - 1u, behind = from, best = OIT_NONE; // before: beyond n when it has passed 0\n"
     "    float gap_before = oit_gap(side, first, n, before), gap_behind = oit_gap(side, first, n, behind), least = oit_never;\n"
-    "    for (;;) {\n",
-    "#line 109\n"
+    "    for (;;) {\n"
     "        bool back = gap_before < gap_behind;\n"
     "        float gap = back ? gap_before : gap_behind;\n"
     "        if (!(gap <= OIT_LIMIT_APART) || OIT_DEPTH_WEIGHT * gap > least || (back ? before : behind) >= n)\n"
     "            return best;\n"
-    "        uint i = back ? before : behind;\n"
-    "        float measure = oit_measure(side, first + i);\n"
+    "        uint i = back ? before : behind, at = oit_record(first + i);\n"
+    "        float measure = oit_may_join(side, at) ? oit_measure_by_depth(side, at, gap) : oit_never;\n"
     "        if (measure < least || (measure == least && best != OIT_NONE && i < best)) {\n"
     "            least = measure;\n"
     "            best = i;\n"
@@ -1834,7 +1888,8 @@ static const char *const oit_i_shader_oit_operator_connect_comp[] = {
     "    oit_side side = oit_look(first + i, direction);\n"
     "    if ((OIT_STEP.w & OIT_CHOOSE_WINDOWED) != 0u)\n"
     "        return oit_best_within(side, other, m, from);\n"
-    "    uint best = oit_best_of_all(side, other, m, least);\n"
+    "    uint best = (OIT_STEP.w & OIT_CHOOSE_GROUPED) != 0u ? oit_best_of_part(side, other, m, least)\n"
+    "                                                        : oit_best_of_all(side, other, m, least);\n"
     "    if (OIT_STEP.z == OIT_PUBLISHED && best != OIT_NONE && oit_set[1].x == 0.0 &&\n"
     "        !oit_published_holds(first, n, i, other + best, direction, least))\n"
     "        best = OIT_NONE;\n"
@@ -1941,12 +1996,12 @@ static const char *const oit_i_shader_oit_operator_group_comp[] = {
 static const char *const oit_i_shader_oit_operator_jump_comp[] = {
     "#line 1\n"
     "// For: oit_buffers.h\n"
-    "// Distances carried 16 pixels along a row or a column in one pass, both ways: a work item takes 16 pixels in turn, and\n"
+    "// Distances carried 32 pixels along a row or a column in one pass, both ways: a work item takes 32 pixels in turn, and\n"
     "// what lies beyond its ends as it was before the pass, so that the result depends on nothing but the values before\n"
     "// (they go from oit_before to oit_set_after). Never less than the true distance: each is that of a path. OIT_STEP: x: 0\n"
     "// rows, 1 columns; y: number of the pass; z: 1: until nothing changes.\n"
     "#define OIT_OWN_MAIN 1\n"
-    "const uint oit_reach = 16u;\n"
+    "const uint oit_reach = 32u;\n"
     "\n"
     "// In words 4 to 7 of the header, in turn, whether a pass has changed anything. Both passes before this one have not: all\n"
     "// is as it will be, and the same in both places.\n"
@@ -2101,10 +2156,10 @@ static const char *const oit_i_shader_oit_operator_size_comp[] = {
     "#line 1\n"
     "// For: oit_buffers.h\n"
     "// How far it is along the surface to the next fragment with a boundary condition, on either side along its row or its\n"
-    "// column: the width of what lies between two silhouettes or halos. Each pass carries that 16 pixels; what has not come is\n"
+    "// column: the width of what lies between two silhouettes or halos. Each pass carries that 32 pixels; what has not come is\n"
     "// not known (65535), at the frame of the picture never. OIT_STEP: x: 0 rows, 1 columns; y: 1: the first of its axis.\n"
     "#define OIT_OWN_MAIN 1\n"
-    "const uint oit_reach = 16u;\n"
+    "const uint oit_reach = 32u;\n"
     "\n"
     "bool oit_is_wall(uint slot)\n"
     "{\n"
@@ -2243,6 +2298,8 @@ static const char *const oit_i_shader_oit_operator_sort_comp[] = {
     "\n"
     "void oit_operate(uint p)\n"
     "{\n"
+    "    if (p == 0u)\n"
+    "        oit_surface[0] = 0u; // pairs compared since\n"
     "    uint first, n = oit_list(p, first), base = first * uint(OIT_VECTORS);\n"
     "    for (uint i = 0u; i < n; i += 8u) {\n"
     "        uint own[8], before[8], alike[8];\n"
@@ -5711,9 +5768,9 @@ static int oit_i_greatest_steps(const oit_smart *smart) {
 }
 
 /* Iterations of equation 8 that one pair of passes along rows and columns stands for: so many that 15 links hold all but
-   10^-4 of the weights. */
+   1/500 of the weights. */
 #define OIT_I_CHAIN_STEPS 50
-#define OIT_I_JUMP_REACH 16
+#define OIT_I_JUMP_REACH 32
 
 /* Passes along rows and columns in turn that measure the surface's width, as far as smart.thin may matter. */
 static int oit_i_size_passes(const oit_smart *smart) {
@@ -5721,11 +5778,11 @@ static int oit_i_size_passes(const oit_smart *smart) {
     double widest = smart->thin > 0.0f ? (double)steps / (double)smart->thin : 0.0;
     while (rounds < 64 && (double)(OIT_I_JUMP_REACH * rounds) < widest)
         ++rounds;
-    return 2 * rounds;
+    return 2 * (rounds + 1); /* the first of each axis forgets */
 }
 
 static int oit_i_jump_rounds(const oit_smart *smart, int steps) {
-    int straight = (steps + OIT_I_JUMP_REACH - 1) / OIT_I_JUMP_REACH + 1;
+    int straight = (steps + OIT_I_JUMP_REACH - 1) / OIT_I_JUMP_REACH + 3;
     if (steps == 0)
         return 0;
     if (smart->until_stable)
@@ -5802,7 +5859,7 @@ static int oit_i_chain_weights(int steps, double weight, float out[16]) {
             next[k] = w[k] + weight * (w[k ? k - 1 : 1] - 2.0 * w[k] + w[k + 1]);
         memcpy(w, next, 16 * sizeof w[0]);
     }
-    while (reach > 1 && tail + 2.0 * w[reach] < 1e-4)
+    while (reach > 1 && tail + 2.0 * w[reach] < 2e-3)
         tail += 2.0 * w[reach--];
     for (k = 0; k <= reach; ++k)
         sum += (k ? 2.0 : 1.0) * w[k];
@@ -5899,7 +5956,7 @@ static void oit_i_number_values(const oit_context *oit, oit_i_numbers *n) {
     n->set[7][0] = smart->beta.lambda;
     n->set[7][1] = smart->gamma.lambda;
     n->set[7][2] = smart->thin;
-    n->set[7][3] = (float)(OIT_I_JUMP_REACH * (oit_i_size_passes(smart) / 2));
+    n->set[7][3] = (float)(OIT_I_JUMP_REACH * (oit_i_size_passes(smart) / 2 - 1));
 }
 
 static void oit_i_number_sections(const oit_context *oit, oit_i_numbers *n) {

@@ -151,13 +151,10 @@ bool oit_beside(uint p, uint direction, out uint q)
 // Layer of the neighbour within its pixel; OIT_NONE: there is no neighbour.
 uint oit_link(uint slot, uint direction)
 {
-    if (OIT_IN_FAR_LINKS == 0u) {
-        uint layer = oit_surface[OIT_IN_LINKS + slot] >> (8u * direction) & 255u;
-        return layer == 255u ? OIT_NONE : layer;
-    }
-    uint word = oit_surface[(direction < 2u ? OIT_IN_LINKS : OIT_IN_FAR_LINKS) + slot];
-    uint layer = word >> (16u * (direction & 1u)) & 65535u;
-    return layer == 65535u ? OIT_NONE : layer;
+    bool wide = OIT_IN_FAR_LINKS != 0u; // without a branch: some drivers go both ways
+    uint word = oit_surface[(wide && direction >= 2u ? OIT_IN_FAR_LINKS : OIT_IN_LINKS) + slot];
+    uint none = wide ? 65535u : 255u, layer = word >> (wide ? 16u * (direction & 1u) : 8u * direction) & none;
+    return layer == none ? OIT_NONE : layer;
 }
 
 // Slot of the neighbour of a fragment of pixel p, or OIT_NONE.
@@ -184,6 +181,21 @@ float oit_reached(uint distance, uint n, float lambda)
     return distance <= n ? max(1.0 - lambda * float(distance), 0.0) : 0.0;
 }
 
+// What lambda has to be for a field to end within its share of the surface's width (oit_set[7].z), which is the distance
+// between the fragments with boundary conditions on either side along the row, or the column if that is less. Distances
+// beyond oit_set[7].w are not known for certain: there it is wide.
+float oit_steepest(uint slot, float lambda)
+{
+    float width = 1.0e9;
+    for (uint axis = 0u; axis < 2u; ++axis) {
+        uint word = oit_surface[(axis == 0u ? OIT_IN_SIZES : OIT_EXTRA_STEP.z) + slot];
+        uvec2 sides = uvec2(word & 65535u, word >> 16u);
+        if (float(max(sides.x, sides.y)) <= oit_set[7].w)
+            width = min(width, float(sides.x + sides.y));
+    }
+    return max(lambda, 1.0 / max(oit_set[7].z * width, 1.0));
+}
+
 uint oit_steps(uint slot, bool gamma)
 {
     return oit_surface[OIT_IN_REACH + slot] >> (gamma ? 16u : 0u) & 65535u;
@@ -202,7 +214,10 @@ float oit_value(uint which, uint slot)
     uint diffused = gamma ? OIT_IN_GAMMA : OIT_IN_BETA;
     if (diffused != 0u)
         return uintBitsToFloat(oit_surface[diffused + slot]);
-    return oit_reached(oit_steps(slot, gamma), gamma ? OIT_EXTRA_STEP.y : OIT_EXTRA_STEP.x, gamma ? oit_set[7].y : oit_set[7].x);
+    float lambda = gamma ? oit_set[7].y : oit_set[7].x;
+    if (oit_set[7].z > 0.0)
+        lambda = oit_steepest(slot, lambda);
+    return oit_reached(oit_steps(slot, gamma), gamma ? OIT_EXTRA_STEP.y : OIT_EXTRA_STEP.x, lambda);
 }
 
 #ifndef OIT_COMPOSES

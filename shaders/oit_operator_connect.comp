@@ -54,11 +54,21 @@ float oit_bend(oit_side side, uint at)
     return max(1.0 - dot(side.normal, oit_record_normal(at)), 0.0);
 }
 
+bool oit_may_join(oit_side side, uint at)
+{
+    ++oit_pairs;
+    return OIT_WORD(at, OIT_AT_PART) == side.part && oit_record_blend(at) == 0u;
+}
+
+float oit_measure_by_depth(oit_side side, uint at, float apart)
+{
+    return apart <= OIT_LIMIT_APART ? OIT_DEPTH_WEIGHT * apart + OIT_NORMAL_WEIGHT * oit_bend(side, at) : oit_never;
+}
+
 float oit_measure(oit_side side, uint slot)
 {
     uint at = oit_record(slot);
-    ++oit_pairs;
-    if (OIT_WORD(at, OIT_AT_PART) != side.part || oit_record_blend(at) != 0u)
+    if (!oit_may_join(side, at))
         return oit_never;
 #if OIT_HAS_UV
     if (OIT_STEP.z == OIT_BY_UV) {
@@ -70,10 +80,7 @@ float oit_measure(oit_side side, uint slot)
         float gap = side.depth - oit_record_window_depth(at);
         return oit_bend(side, at) + gap * gap;
     }
-    float apart = oit_apart(side, at);
-    if (!(apart <= OIT_LIMIT_APART))
-        return oit_never;
-    return OIT_DEPTH_WEIGHT * apart + OIT_NORMAL_WEIGHT * oit_bend(side, at);
+    return oit_measure_by_depth(side, at, oit_apart(side, at));
 }
 
 // All of the list; of several that measure the same the nearest to the eye.
@@ -82,6 +89,29 @@ uint oit_best_of_all(oit_side side, uint first, uint n, out float least)
     uint best = OIT_NONE;
     least = oit_never;
     for (uint i = 0u; i < n; ++i) {
+        float measure = oit_measure(side, first + i);
+        best = measure < least ? i : best;
+        least = measure < least ? measure : least;
+    }
+    return best;
+}
+
+// The same for a list that is grouped by part: only that part is looked at (Murray 2016, section 5.1).
+uint oit_best_of_part(oit_side side, uint first, uint n, out float least)
+{
+    uint best = OIT_NONE, low = 0u;
+    for (uint high = n; low < high;) { // where its group begins
+        uint middle = (low + high) / 2u;
+        if (oit_part(first + oit_surface[OIT_IN_GROUPED + first + middle]) < side.part)
+            low = middle + 1u;
+        else
+            high = middle;
+    }
+    least = oit_never;
+    for (; low < n; ++low) {
+        uint i = oit_surface[OIT_IN_GROUPED + first + low];
+        if (oit_part(first + i) != side.part)
+            break;
         float measure = oit_measure(side, first + i);
         best = measure < least ? i : best;
         least = measure < least ? measure : least;
@@ -110,8 +140,8 @@ uint oit_best_within(oit_side side, uint first, uint n, inout uint from)
         float gap = back ? gap_before : gap_behind;
         if (!(gap <= OIT_LIMIT_APART) || OIT_DEPTH_WEIGHT * gap > least || (back ? before : behind) >= n)
             return best;
-        uint i = back ? before : behind;
-        float measure = oit_measure(side, first + i);
+        uint i = back ? before : behind, at = oit_record(first + i);
+        float measure = oit_may_join(side, at) ? oit_measure_by_depth(side, at, gap) : oit_never;
         if (measure < least || (measure == least && best != OIT_NONE && i < best)) {
             least = measure;
             best = i;
@@ -146,7 +176,8 @@ uint oit_choose(uint first, uint n, uint i, uint direction, uint other, uint m, 
     oit_side side = oit_look(first + i, direction);
     if ((OIT_STEP.w & OIT_CHOOSE_WINDOWED) != 0u)
         return oit_best_within(side, other, m, from);
-    uint best = oit_best_of_all(side, other, m, least);
+    uint best = (OIT_STEP.w & OIT_CHOOSE_GROUPED) != 0u ? oit_best_of_part(side, other, m, least)
+                                                        : oit_best_of_all(side, other, m, least);
     if (OIT_STEP.z == OIT_PUBLISHED && best != OIT_NONE && oit_set[1].x == 0.0 &&
         !oit_published_holds(first, n, i, other + best, direction, least))
         best = OIT_NONE;

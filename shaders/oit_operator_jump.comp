@@ -1,10 +1,10 @@
 // For: oit_buffers.h
-// Distances carried 16 pixels along a row or a column in one pass, both ways: a work item takes 16 pixels in turn, and
+// Distances carried 32 pixels along a row or a column in one pass, both ways: a work item takes 32 pixels in turn, and
 // what lies beyond its ends as it was before the pass, so that the result depends on nothing but the values before
 // (they go from oit_before to oit_set_after). Never less than the true distance: each is that of a path. OIT_STEP: x: 0
 // rows, 1 columns; y: number of the pass; z: 1: until nothing changes.
 #define OIT_OWN_MAIN 1
-const uint oit_reach = 16u;
+const uint oit_reach = 32u;
 
 // In words 4 to 7 of the header, in turn, whether a pass has changed anything. Both passes before this one have not: all
 // is as it will be, and the same in both places.

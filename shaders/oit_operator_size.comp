@@ -1,9 +1,9 @@
 // For: oit_buffers.h
 // How far it is along the surface to the next fragment with a boundary condition, on either side along its row or its
-// column: the width of what lies between two silhouettes or halos. Each pass carries that 16 pixels; what has not come is
+// column: the width of what lies between two silhouettes or halos. Each pass carries that 32 pixels; what has not come is
 // not known (65535), at the frame of the picture never. OIT_STEP: x: 0 rows, 1 columns; y: 1: the first of its axis.
 #define OIT_OWN_MAIN 1
-const uint oit_reach = 16u;
+const uint oit_reach = 32u;
 
 bool oit_is_wall(uint slot)
 {

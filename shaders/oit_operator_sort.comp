@@ -16,6 +16,8 @@ uint oit_before_ties(uint base, uint n, uint i)
 
 void oit_operate(uint p)
 {
+    if (p == 0u)
+        oit_surface[0] = 0u; // pairs compared since
     uint first, n = oit_list(p, first), base = first * uint(OIT_VECTORS);
     for (uint i = 0u; i < n; i += 8u) {
         uint own[8], before[8], alike[8];
