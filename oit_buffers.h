@@ -120,7 +120,6 @@
    - A fragment at the very depth of the host's opaque surface is hidden.
    - Colours: see oit_color. Into a target of 8 bits the picture is within 1/255 of the exact one, into one of floats
      within 10^-5 with OIT_COLOR_FLOAT. Infinities and NaN in a colour become 0, alpha is cut to [0,1].
-   - Layers behind a transmittance below 2^-24 are left out.
    - The tail takes colours up to 4, takes all layers of a pixel as evenly mixed, and is exact where they have one colour.
    - Mesa's software driver ends a shader's loops after 65,535 rounds: pixels of more than about 1,400 fragments lose some
      there.
@@ -238,6 +237,9 @@ typedef struct oit_desc {
     int first_storage_binding; /* three shader storage binding points from here on are ours */
     int uniform_binding;       /* uniform buffer binding point that is ours; 0: 14 */
     oit_store_kind store;
+    int64_t budget_bytes;  /* BUDGET, BUCKETED: for the fragments of the image; 0: 256 MiB */
+    int layers;            /* BUDGET, BUCKETED: keep no more of a pixel; 0: as many as the budget has room for */
+    int bucket_depth_bits; /* BUCKETED: choose the nearest by so many bits of the depth, 16 or 32; 0: 32 */
     int sample_order; /* 1, with OIT_FIELD_COVERAGE: each sample is a fragment of its own; see MULTISAMPLED TARGETS */
 } oit_desc;
 
@@ -264,6 +266,7 @@ typedef struct oit_report {
     uint32_t extra;       /* fragments that the fill pass met and the count pass had not: not stored */
     uint32_t capacity;    /* fragments that the pool held in that frame */
     uint32_t bands;       /* fill passes */
+    uint32_t layers;      /* BUDGET, BUCKETED: k, the most that was kept of a pixel */
 } oit_report;
 
 /* ---- a frame ---------------------------------------------------------------------------------------------------- */
@@ -301,8 +304,10 @@ typedef enum oit_pass_kind {
     OIT_PASS_REPORT,
     OIT_PASS_FILL, /* the host draws them again */
     OIT_PASS_COMPOSE,
-    OIT_PASS_PICK,  /* where oit_pick_begin has asked for it */
-    OIT_PASS_DEPTH, /* with oit_frame.depth */
+    OIT_PASS_KEEP,    /* BUDGET, BUCKETED: what is kept of each pixel */
+    OIT_PASS_ARRANGE, /* BUCKETED: its fragments by part */
+    OIT_PASS_PICK,    /* where oit_pick_begin has asked for it */
+    OIT_PASS_DEPTH,   /* with oit_frame.depth */
     OIT_PASS_KIND_COUNT
 } oit_pass_kind;
 
@@ -437,10 +442,141 @@ OIT_DEF oit_result oit_release(oit_context *oit);
 /* clang-format off */
 /* ==== generated from shaders/ by tools/embed_shaders: edit there, then `make shaders` ==== */
 /* clang-format off */
+static const char *const oit_i_shader_oit_arrange_comp[] = {
+    "#line 1\n"
+    "// For: oit_buffers.h\n"
+    "// After the second geometry pass of the bucketed store (Murray 2016, section 4.1): the fragments of each pixel grouped by\n"
+    "// part, and by depth within a part (reordering of Z), and where each group lies (bucket creation). The places in Z are\n"
+    "// ordered, not the records, which stay where they are.\n"
+    "layout(local_size_x = 128) in;\n"
+    "\n"
+    "// By part, then as composed.\n"
+    "bool oit_comes_after(uint a, uint b)\n"
+    "{\n"
+    "    uint x = OIT_WORD(a, OIT_AT_PART), y = OIT_WORD(b, OIT_AT_PART);\n"
+    "    return x != y ? x > y : oit_after(a, b);\n"
+    "}\n"
+    "\n"
+    "uint oit_record_at(uint p, uint i)\n"
+    "{\n"
+    "    return oit_bucket_record(p, i) * uint(OIT_VECTORS);\n"
+    "}\n"
+    "\n"
+    "// By insertion: few, and often nearly in order.\n"
+    "void oit_reorder(uint p, uint start, uint count)\n"
+    "{\n"
+    "    for (uint i = 0u; i < count; ++i) {\n"
+    "        uint place = start + i, to = i;\n"
+    "        for (; to > 0u && oit_comes_after(oit_record_at(p, to - 1u), place * uint(OIT_VECTORS)); --to)\n"
+    "            oit_pixel[OIT_KEY(p, to)] = oit_pixel[OIT_KEY(p, to - 1u)];\n"
+    "        oit_pixel[OIT_KEY(p, to)] = place;\n"
+    "    }\n"
+    "}\n"
+    "\n"
+    "// The slot of a part is part mod k, or the next that is free. One is: there are k, and at most k parts.\n"
+    "void oit_insert_bucket(uint p, uint part, uint first, uint count)\n"
+    "{\n"
+    "    uint slot = part % OIT_LAYERS;\n"
+    "    while (oit_pixel[OIT_BUCKET(p, slot) + 1u] != 0u)\n"
+    "        slot = slot + 1u < OIT_LAYERS ? slot + 1u : 0u;\n"
+    "    oit_pixel[OIT_BUCKET(p, slot)] = part;\n"
+    "    oit_pixel[OIT_BUCKET(p, slot) + 1u] = first | count << 16u;\n"
+    "}\n"
+    "\n"
+    "void oit_arrange(uint p)\n"
+    "{\n"
+    "    uint end = oit_pixel[OIT_START(p + 1u)];\n"
+    "    uint start = oit_pixel[OIT_START(p)] + uint(max(int(oit_pixel[OIT_LEFT(p)]), 0));\n"
+    "    uint count = end - start, first = 0u;\n"
+    "    oit_reorder(p, start, count);\n"
+    "    for (uint slot = 0u; slot < OIT_LAYERS; ++slot)\n"
+    "        oit_pixel[OIT_BUCKET(p, slot) + 1u] = 0u;\n"
+    "    for (uint i = 1u; i <= count; ++i) {\n"
+    "        uint part = OIT_WORD(oit_record_at(p, first), OIT_AT_PART);\n"
+    "        if (i < count && OIT_WORD(oit_record_at(p, i), OIT_AT_PART) == part)\n"
+    "            continue;\n"
+    "        oit_insert_bucket(p, part, first, i - first);\n"
+    "        first = i;\n"
+    "    }\n"
+    "}\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    uint block = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;\n"
+    "    uint first = block * OIT_BLOCK + gl_LocalInvocationID.x;\n"
+    "    for (uint i = 0u; i < 8u; ++i)\n"
+    "        if (first + 128u * i < oit_pool.x)\n"
+    "            oit_arrange(first + 128u * i);\n"
+    "}\n",
+    0};
+static const char *const oit_i_shader_oit_behind_glsl[] = {
+    "#line 1\n"
+    "// For: oit_buffers.h\n"
+    "// The tail read back: the sums of oit_to_tail, and what layers that are mixed evenly look like.\n"
+    "#ifndef OIT_CLASS // not after oit_record.glsl\n"
+    "layout(std430, binding = OIT_BINDING_PIXELS) readonly buffer oit_pixels { uint oit_pixel[]; };\n"
+    "#endif\n"
+    "\n"
+    "#if OIT_KEEPS\n"
+    "vec4 oit_tail_sums(uint p)\n"
+    "{\n"
+    "    uint at = OIT_TAIL(p);\n"
+    "    uvec4 low = uvec4(oit_pixel[at], oit_pixel[at + 1u], oit_pixel[at + 2u], oit_pixel[at + 3u]);\n"
+    "    uvec4 carries = uvec4(oit_pixel[at + 4u], oit_pixel[at + 4u] >> 16u, oit_pixel[at + 5u], oit_pixel[at + 5u] >> 16u);\n"
+    "    return vec4(low) * (1.0 / 67108864.0) + vec4(carries & 0xffffu) * 64.0;\n"
+    "}\n"
+    "#else\n"
+    "vec4 oit_tail_sums(uint p, uint count)\n"
+    "{\n"
+    "    uint at = OIT_TAIL(p);\n"
+    "    float unit = exp2(float(findMSB(count) - 25));\n"
+    "    return vec4(oit_pixel[at], oit_pixel[at + 1u], oit_pixel[at + 2u], oit_pixel[at + 3u]) * unit;\n"
+    "}\n"
+    "#endif\n"
+    "\n"
+    "// rgb: the light that comes of them; a: how much is seen through them.\n"
+    "vec4 oit_tail_light(vec4 sums)\n"
+    "{\n"
+    "    float thickness = sums.a, through = exp(-thickness);\n"
+    "    // (1 - e^-t) / t, whose quotient loses its digits near 0.\n"
+    "    return vec4(sums.rgb * (thickness > 1.0e-3 ? (1.0 - through) / thickness : 1.0 - 0.5 * thickness), through);\n"
+    "}\n",
+    0};
+static const char *const oit_i_shader_oit_buckets_glsl[] = {
+    "#line 1\n"
+    "// For: oit_buffers.h\n"
+    "// What the bucketed store keeps beside the runs, for those who look for fragments of one part. After the blocks of\n"
+    "// oit_record.glsl. Records of a bucket are numbered from `first` on and ordered as they are composed.\n"
+    "\n"
+    "// Place of the i-th record of the pixel, by part and depth; OIT_VECTORS vectors each.\n"
+    "uint oit_bucket_record(uint p, uint i)\n"
+    "{\n"
+    "    return oit_pixel[OIT_KEY(p, i)];\n"
+    "}\n"
+    "\n"
+    "// Where the records of a part lie in the order of oit_bucket_record; false: the pixel has none.\n"
+    "bool oit_find_bucket(uint p, uint part, out uint first, out uint count)\n"
+    "{\n"
+    "    first = count = 0u;\n"
+    "    for (uint i = 0u, slot = part % OIT_LAYERS; i < OIT_LAYERS; ++i) {\n"
+    "        uint range = oit_pixel[OIT_BUCKET(p, slot) + 1u];\n"
+    "        if (range == 0u)\n"
+    "            return false;\n"
+    "        if (oit_pixel[OIT_BUCKET(p, slot)] == part) {\n"
+    "            first = range & 0xffffu;\n"
+    "            count = range >> 16u;\n"
+    "            return true;\n"
+    "        }\n"
+    "        slot = slot + 1u < OIT_LAYERS ? slot + 1u : 0u;\n"
+    "    }\n"
+    "    return false;\n"
+    "}\n",
+    0};
 static const char *const oit_i_shader_oit_clear_comp[] = {
     "#line 1\n"
     "// For: oit_buffers.h\n"
-    "// Counts to zero; with the first slab of a frame the totals too.\n"
+    "// Counts to zero; with the first slab of a frame the totals too. Of the stores that keep the k nearest also the keys,\n"
+    "// limits and tails.\n"
     "layout(local_size_x = 128) in;\n"
     "layout(std430, binding = OIT_BINDING_PIXELS) writeonly buffer oit_pixels { uint oit_pixel[]; };\n"
     "\n"
@@ -457,6 +593,19 @@ static const char *const oit_i_shader_oit_clear_comp[] = {
     "#endif\n"
     "        }\n"
     "    }\n"
+    "#if OIT_KEEPS\n"
+    "    uint each = OIT_LAYERS + 1u, end = min((block + 1u) * OIT_BLOCK, oit_pool.x) * each;\n"
+    "    for (uint i = block * OIT_BLOCK * each + gl_LocalInvocationID.x; i < end; i += 128u)\n"
+    "        oit_pixel[OIT_KEY(0u, i)] = OIT_NONE;\n"
+    "    for (uint i = 0u; i < 8u; ++i) {\n"
+    "        uint p = first + 128u * i;\n"
+    "        if (p >= oit_pool.x)\n"
+    "            break;\n"
+    "        oit_pixel[OIT_LIMIT(p)] = OIT_NONE;\n"
+    "        for (uint c = 0u; c < 6u; ++c)\n"
+    "            oit_pixel[OIT_TAIL(p) + c] = 0u;\n"
+    "    }\n"
+    "#endif\n"
     "    if (oit_step.x != 0u && first < OIT_HEADER)\n"
     "        oit_pixel[first] = 0u;\n"
     "}\n",
@@ -473,21 +622,16 @@ static const char *const oit_i_shader_oit_compose_frag[] = {
     "layout(location = 0) out highp vec4 oit_out;\n"
     "#endif\n"
     "\n"
-    "// Lays the first m of oit_order, which holds `known`. With ties, all records of that depth, be they in this block or not,\n"
-    "// are laid when the first of them is met.\n"
-    "void oit_lay_sorted(uint base, uint n, uint m, uint known, bool tie, inout uint grouped)\n"
+    "#if OIT_DEEP\n"
+    "// Lays the first m of oit_order, which holds `known`. Of ties all records of that depth, be they in this block or not, are\n"
+    "// laid when the first of them is met.\n"
+    "void oit_lay_sorted(uint base, uint n, uint m, uint known, inout uint grouped)\n"
     "{\n"
     "    for (uint i = 0u; i < m && oit_visible(); ++i) {\n"
-    "        uint at = oit_order[i];\n"
-    "        bool alone = true;\n"
-    "        uint depth = 0u;\n"
-    "        if (tie) {\n"
-    "            depth = oit_record_depth(at);\n"
-    "            if (depth == grouped)\n"
-    "                continue;\n"
-    "            alone = i + 1u >= known || oit_record_depth(oit_order[i + 1u]) != depth;\n"
-    "        }\n"
-    "        if (alone) {\n"
+    "        uint at = oit_order[i], depth = oit_record_depth(at);\n"
+    "        if (depth == grouped)\n"
+    "            continue;\n"
+    "        if (i + 1u >= known || oit_record_depth(oit_order[i + 1u]) != depth) {\n"
     "            oit_lay(at);\n"
     "        } else {\n"
     "            oit_lay_group(base, n, depth);\n"
@@ -498,19 +642,26 @@ static const char *const oit_i_shader_oit_compose_frag[] = {
     "\n"
     "void oit_lay_run(uint base, uint n)\n"
     "{\n"
-    "    uint grouped = OIT_NONE;\n"
-    "#if OIT_DEEP\n"
-    "    uint depth = 0u, at = 0u;\n"
+    "    uint depth = 0u, at = 0u, grouped = OIT_NONE;\n"
     "    for (uint done = 0u; done < n && oit_visible(); done += uint(OIT_CLASS)) {\n"
     "        // One more than are laid, to see whether it ties with the last of them.\n"
     "        oit_select(base, n, done > 0u, depth, at);\n"
-    "        oit_lay_sorted(base, n, min(uint(OIT_CLASS), n - done), min(uint(OIT_CLASS + 1), n - done), true, grouped);\n"
+    "        oit_lay_sorted(base, n, min(uint(OIT_CLASS), n - done), min(uint(OIT_CLASS + 1), n - done), grouped);\n"
     "    }\n"
-    "#else\n"
-    "    bool tie = oit_sort(base, n);\n"
-    "    oit_lay_sorted(base, n, n, n, tie, grouped);\n"
-    "#endif\n"
     "}\n"
+    "#endif\n"
+    "\n"
+    "#if OIT_KEEPS\n"
+    "// Behind what is kept, all that is not.\n"
+    "void oit_lay_tail(uint p)\n"
+    "{\n"
+    "    if (oit_pixel[OIT_LIMIT(p)] == OIT_NONE)\n"
+    "        return;\n"
+    "    vec4 tail = oit_tail_light(oit_tail_sums(p));\n"
+    "    oit_sum += oit_through * tail.rgb;\n"
+    "    oit_through *= tail.a;\n"
+    "}\n"
+    "#endif\n"
     "\n"
     "void main()\n"
     "{\n"
@@ -536,6 +687,9 @@ static const char *const oit_i_shader_oit_compose_frag[] = {
     "        discard;\n"
     "#endif\n"
     "    oit_lay_run((start - oit_pool.y) * uint(OIT_VECTORS), n);\n"
+    "#if OIT_KEEPS\n"
+    "    oit_lay_tail(p);\n"
+    "#endif\n"
     "#if OIT_MODE == OIT_MODE_DUAL\n"
     "    oit_out = vec4(oit_sum, 0.0);\n"
     "    oit_keep = vec4(oit_light.w * oit_through, 0.0);\n"
@@ -561,27 +715,17 @@ static const char *const oit_i_shader_oit_compose_glsl[] = {
     "vec3 oit_sum = vec3(0.0);\n"
     "OIT_THROUGH oit_through = OIT_THROUGH(1.0);\n"
     "\n"
-    "// Below 2^-24 of it nothing behind can change a float that is brighter than that.\n"
-    "bool oit_visible()\n"
-    "{\n"
-    "#if OIT_HAS_BLEND\n"
-    "    return max(oit_through.r, max(oit_through.g, oit_through.b)) > 5.9604645e-8;\n"
-    "#else\n"
-    "    return oit_through > 5.9604645e-8;\n"
-    "#endif\n"
-    "}\n"
-    "\n"
-    "void oit_lay(uint at)\n"
+    "void oit_lay(uvec4 r, uvec4 q)\n"
     "{\n"
     "#if OIT_COVERED == OIT_BY_SAMPLE\n"
-    "    if ((OIT_WORD(at, OIT_AT_COVERAGE) >> uint(gl_SampleID) & 1u) == 0u)\n"
+    "    if ((OIT_COVERAGE_OF(OIT_SORTED_WORD(OIT_AT_COVERAGE)) >> uint(gl_SampleID) & 1u) == 0u)\n"
     "        return;\n"
     "#endif\n"
-    "    uvec4 words = oit_record_words(at);\n"
+    "    uvec4 words = oit_color_words(r, q);\n"
     "    vec4 color = oit_unpack_color(words);\n"
     "#if OIT_COVERED == OIT_BY_SHARE\n"
-    "    color *= vec4(vec3(OIT_PREMULTIPLIED == 1 ? OIT_SHARE(OIT_WORD(at, OIT_AT_COVERAGE)) : 1.0),\n"
-    "                  OIT_SHARE(OIT_WORD(at, OIT_AT_COVERAGE)));\n"
+    "    color *= vec4(vec3(OIT_PREMULTIPLIED == 1 ? OIT_SHARE(OIT_COVERAGE_OF(OIT_SORTED_WORD(OIT_AT_COVERAGE))) : 1.0),\n"
+    "                  OIT_SHARE(OIT_COVERAGE_OF(OIT_SORTED_WORD(OIT_AT_COVERAGE))));\n"
     "#endif\n"
     "#if OIT_PREMULTIPLIED\n"
     "    vec3 light = color.rgb;\n"
@@ -592,7 +736,7 @@ static const char *const oit_i_shader_oit_compose_glsl[] = {
     "#if OIT_COLOR == OIT_COLOR_8\n"
     "    uint blend = words.x >> 30u;\n"
     "#else\n"
-    "    uint blend = OIT_WORD(at, OIT_AT_BLEND);\n"
+    "    uint blend = OIT_SORTED_WORD(OIT_AT_BLEND) & 255u;\n"
     "#endif\n"
     "    if (blend == 2u) { // multiply: seen through a filter of that colour\n"
     "        oit_through *= 1.0 - color.a + light;\n"
@@ -605,6 +749,24 @@ static const char *const oit_i_shader_oit_compose_glsl[] = {
     "    oit_sum += oit_through * light;\n"
     "#endif\n"
     "    oit_through *= 1.0 - color.a;\n"
+    "}\n"
+    "\n"
+    "void oit_lay(uint at)\n"
+    "{\n"
+    "    uvec4 r, q;\n"
+    "    oit_load(at, r, q);\n"
+    "    oit_lay(r, q);\n"
+    "}\n"
+    "\n"
+    "#if OIT_DEEP\n"
+    "// Behind what is opaque all weights are zero, so that to stop there changes no bit.\n"
+    "bool oit_visible()\n"
+    "{\n"
+    "#if OIT_HAS_BLEND\n"
+    "    return max(oit_through.r, max(oit_through.g, oit_through.b)) > 0.0;\n"
+    "#else\n"
+    "    return oit_through > 0.0;\n"
+    "#endif\n"
     "}\n"
     "\n"
     "// All records of one depth, in their order, each found anew: ties are rare.\n"
@@ -627,13 +789,27 @@ static const char *const oit_i_shader_oit_compose_glsl[] = {
     "    }\n"
     "}\n"
     "\n"
-    "// What oit_i_add_network writes is made of these: registers d (depth) and o (where the record lies).\n"
-    "#define L(d, o, i) uint d = OIT_NONE, o = base; if (i < n) { o = base + i * uint(OIT_VECTORS); d = oit_record_depth(o); }\n"
-    "#define S(d, o, e, p) { bool g = e < d; uint t = g ? p : o; p = g ? o : p; o = t; t = min(d, e); e = max(d, e); d = t; }\n"
-    "#define T(d, e, i) tie = tie || (d == e && i < n);\n"
+    "// What oit_i_put_selection writes is made of these: registers d (depth) and o (where the record lies).\n"
     "#define D(d, o) uint d = OIT_NONE, o = base;\n"
     "#define I(d, o) { s = s || x < d; uint t = d; d = s ? x : d; x = s ? t : x; t = o; o = s ? y : o; y = s ? t : y; }\n"
-    "uint oit_order[OIT_CLASS + OIT_DEEP];\n",
+    "uint oit_order[OIT_CLASS + 1];\n"
+    "#else\n"
+    "// By all their words, so that two of which neither comes after the other are alike: ties need no further care.\n"
+    "bool oit_words_after(uvec4 a, uvec4 b, bool more)\n"
+    "{\n"
+    "    return a.x > b.x || (a.x == b.x && (a.y > b.y || (a.y == b.y && (a.z > b.z || (a.z == b.z && (a.w > b.w || (a.w == b.w && more)))))));\n"
+    "}\n"
+    "\n"
+    "// What oit_i_put_network writes is made of these: registers r and q (oit_load), swapped where they are in the wrong order,\n"
+    "// then laid. Each record is read once; what is not there comes after all that is, and has no colour and no alpha.\n"
+    "#define L(r, q, i) uvec4 r = uvec4(OIT_NONE, 0u, 0u, 0u), q = uvec4(0u); if (i < n) oit_load(base + i * uint(OIT_VECTORS), r, q);\n"
+    "#if OIT_SORTED > 4\n"
+    "#define S(r, q, u, v) { bool g = oit_words_after(r, u, oit_words_after(q, v, false)); uvec4 t = g ? u : r; u = g ? r : u; r = t; t = g ? v : q; v = g ? q : v; q = t; }\n"
+    "#else\n"
+    "#define S(r, q, u, v) { bool g = oit_words_after(r, u, false); uvec4 t = g ? u : r; u = g ? r : u; r = t; }\n"
+    "#endif\n"
+    "#define Y(r, q, i) oit_lay(r, q);\n"
+    "#endif\n",
     0};
 static const char *const oit_i_shader_oit_depth_frag[] = {
     "#line 1\n"
@@ -682,7 +858,8 @@ static const char *const oit_i_shader_oit_frame_block_glsl[] = {
     "{\n"
     "    highp ivec4 oit_area;  // x, y of the slab's corner in the target, its width and height\n"
     "    highp uvec4 oit_pool;  // x: pixels of the slab, y: first fragment of the band, z: capacity, w: blocks of the scan\n"
-    "    highp uvec4 oit_step;  // x: 1 with the first slab of a frame, y: what is deeper is left to the program for all depths\n"
+    "    highp uvec4 oit_step;  // x: 1 with the first slab of a frame, y: what is deeper is left to the program for all depths,\n"
+    "                           // w: k of the stores that keep the k nearest\n"
     "    highp uvec4 oit_above; // what is not deeper than this is left to the program before: of up to 8, 16, 32, 64\n"
     "    highp vec4 oit_light;  // xyz: toward the light, unit length; zero: no shading. w: weight of the background\n"
     "    highp vec4 oit_output; // x: transmittance below which the depth of the composite is taken\n"
@@ -704,7 +881,19 @@ static const char *const oit_i_shader_oit_frame_block_glsl[] = {
     "#define OIT_START(p) (OIT_HEADER + 2u * (p))\n"
     "#define OIT_LEFT(p) (OIT_HEADER + 1u + 2u * (p))\n"
     "#define OIT_SUM(b) (OIT_HEADER + 2u + 2u * oit_pool.x + (b))\n"
-    "#define OIT_TAIL(p) (OIT_HEADER + 2u + 2u * oit_pool.x + oit_pool.w + 4u * (p))\n"
+    "#define OIT_MORE (OIT_HEADER + 2u + 2u * oit_pool.x + oit_pool.w)\n"
+    "#if OIT_KEEPS\n"
+    "// With the stores that keep the k nearest: six words a pixel for the tail, the limit (keys from there on are not kept),\n"
+    "// k + 1 keys; and k buckets of two words: a part, and which records it has.\n"
+    "#define OIT_LAYERS oit_step.w\n"
+    "#define OIT_TAIL(p) (OIT_MORE + 6u * (p))\n"
+    "#define OIT_LIMIT(p) (OIT_MORE + 6u * oit_pool.x + (p))\n"
+    "#define OIT_KEY(p, i) (OIT_MORE + 7u * oit_pool.x + (p) * (OIT_LAYERS + 1u) + (i))\n"
+    "#define OIT_BUCKET(p, i) (OIT_MORE + (8u + OIT_LAYERS) * oit_pool.x + 2u * ((p) * OIT_LAYERS + (i)))\n"
+    "#else\n"
+    "#define OIT_TAIL(p) (OIT_MORE + 4u * (p))\n"
+    "#endif\n"
+    "#define OIT_NONE 0xffffffffu\n"
     "\n"
     "// With OIT_HAS_COVERAGE one word a pixel follows: 1 where a fragment covers not all of its samples.\n"
     "#define OIT_EDGE(p) (OIT_TAIL(oit_pool.x * uint(OIT_ASYNC)) + (p))\n"
@@ -730,6 +919,71 @@ static const char *const oit_i_shader_oit_fullscreen_vert[] = {
     "{\n"
     "    vec2 corner = vec2(float((gl_VertexID << 1) & 2), float(gl_VertexID & 2));\n"
     "    gl_Position = vec4(2.0 * corner - 1.0, 0.0, 1.0);\n"
+    "}\n",
+    0};
+static const char *const oit_i_shader_oit_keep_comp[] = {
+    "#line 1\n"
+    "// For: oit_buffers.h\n"
+    "// Between the two geometry passes of the stores that keep the k nearest: what is kept of each pixel. With more than k\n"
+    "// fragments the limit is the greatest of its k + 1 smallest keys. Fewer than k + 1 lie below, and those that equal it,\n"
+    "// which do not all fit, go to the tail together: which ones are kept depends on the set of fragments alone.\n"
+    "layout(local_size_x = 128) in;\n"
+    "layout(std430, binding = OIT_BINDING_PIXELS) buffer oit_pixels { uint oit_pixel[]; };\n"
+    "shared uint oit_all[5];     // needed, deepest, lost pixels, lost fragments\n"
+    "shared uint oit_classes[5]; // pixels by how many fragments are kept\n"
+    "\n"
+    "uint oit_kept(uint p, uint count)\n"
+    "{\n"
+    "    uint limit = OIT_NONE, kept = count;\n"
+    "    if (count > OIT_LAYERS) {\n"
+    "        limit = 0u;\n"
+    "        kept = 0u;\n"
+    "        for (uint i = 0u; i <= OIT_LAYERS; ++i)\n"
+    "            limit = max(limit, oit_pixel[OIT_KEY(p, i)]);\n"
+    "        for (uint i = 0u; i <= OIT_LAYERS; ++i)\n"
+    "            kept += oit_pixel[OIT_KEY(p, i)] < limit ? 1u : 0u;\n"
+    "    }\n"
+    "    oit_pixel[OIT_LIMIT(p)] = limit;\n"
+    "    return kept;\n"
+    "}\n"
+    "\n"
+    "void oit_keep_nearest(uint p)\n"
+    "{\n"
+    "    uint count = oit_pixel[OIT_LEFT(p)];\n"
+    "    uint kept = oit_kept(p, count);\n"
+    "    oit_pixel[OIT_START(p)] = p * OIT_LAYERS;\n"
+    "    oit_pixel[OIT_LEFT(p)] = OIT_LAYERS;\n"
+    "    atomicAdd(oit_all[0], count);\n"
+    "    atomicMax(oit_all[1], count);\n"
+    "    atomicAdd(oit_all[2], kept < count ? 1u : 0u);\n"
+    "    atomicAdd(oit_all[3], count - kept);\n"
+    "    if (kept > 0u)\n"
+    "        atomicAdd(oit_classes[kept <= 8u ? 0u : min(uint(findMSB(kept - 1u)) - 2u, 4u)], 1u);\n"
+    "}\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    uint block = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;\n"
+    "    uint self = gl_LocalInvocationID.x;\n"
+    "    if (self < 5u)\n"
+    "        oit_all[self] = oit_classes[self] = 0u;\n"
+    "    barrier();\n"
+    "    for (uint i = 0u; i < 8u; ++i) {\n"
+    "        uint p = block * OIT_BLOCK + 128u * i + self;\n"
+    "        if (p < oit_pool.x)\n"
+    "            oit_keep_nearest(p);\n"
+    "    }\n"
+    "    barrier();\n"
+    "    if (self < 5u && oit_classes[self] > 0u)\n"
+    "        atomicAdd(oit_pixel[OIT_PIXELS + self], oit_classes[self]);\n"
+    "    if (self == 0u && block == 0u)\n"
+    "        oit_pixel[OIT_START(oit_pool.x)] = oit_pool.x * OIT_LAYERS;\n"
+    "    if (self == 0u) {\n"
+    "        atomicAdd(oit_pixel[OIT_NEEDED], oit_all[0]);\n"
+    "        atomicMax(oit_pixel[OIT_DEEPEST], oit_all[1]);\n"
+    "        atomicAdd(oit_pixel[OIT_LOST_PIXELS], oit_all[2]);\n"
+    "        atomicAdd(oit_pixel[OIT_LOST], oit_all[3]);\n"
+    "    }\n"
     "}\n",
     0};
 static const char *const oit_i_shader_oit_ordered_glsl[] = {
@@ -803,10 +1057,12 @@ static const char *const oit_i_shader_oit_record_glsl[] = {
     "#line 1\n"
     "// For: oit_buffers.h\n"
     "// Records read back: the order of two, colour, how it is laid over what is behind.\n"
+    "#ifdef OIT_ARRANGES\n"
+    "layout(std430, binding = OIT_BINDING_PIXELS) buffer oit_pixels { uint oit_pixel[]; };\n"
+    "#else\n"
     "layout(std430, binding = OIT_BINDING_PIXELS) readonly buffer oit_pixels { uint oit_pixel[]; };\n"
+    "#endif\n"
     "layout(std430, binding = OIT_BINDING_FRAGMENTS) readonly buffer oit_fragments { OIT_VECTOR oit_data[]; };\n"
-    "\n"
-    "#define OIT_NONE 0xffffffffu\n"
     "\n"
     "// Whether the record at a comes after that at b; by their words, then by where they lie, which only tells apart records\n"
     "// that are alike in every word.\n"
@@ -840,18 +1096,49 @@ static const char *const oit_i_shader_oit_record_glsl[] = {
     "#endif\n"
     "}\n"
     "\n"
-    "// The words of the colour; of one vector where they lie in one, which some drivers load much faster.\n"
-    "uvec4 oit_record_words(uint at)\n"
+    "// The words by which records are sorted and composed: the first OIT_SORTED of them, depth to colour and blend, in two\n"
+    "// vectors; zeros after them. What a record carries beyond cannot be seen in the picture.\n"
+    "#define OIT_COVERAGE_OF(word) ((word) >> uint(OIT_COVERAGE_SHIFT))\n"
+    "#define OIT_SORTED_WORD(i) ((i) < 4 ? r[(i) & 3] : q[(i) & 3])\n"
+    "void oit_load(uint at, out uvec4 r, out uvec4 q)\n"
     "{\n"
-    "#if OIT_COLOR != OIT_COLOR_FLOAT && OIT_LANES == 4 && OIT_AT_COLOR < 3\n"
-    "    uvec4 w = oit_data[at];\n"
-    "    return uvec4(w[OIT_AT_COLOR], w[OIT_AT_COLOR + 1], 0u, 0u);\n"
-    "#elif OIT_COLOR != OIT_COLOR_FLOAT\n"
-    "    return uvec4(OIT_WORD(at, OIT_AT_COLOR), OIT_WORD(at, OIT_AT_COLOR + 1), 0u, 0u);\n"
-    "#else\n"
-    "    return uvec4(OIT_WORD(at, OIT_AT_COLOR), OIT_WORD(at, OIT_AT_COLOR + 1), OIT_WORD(at, OIT_AT_COLOR + 2),\n"
-    "                 OIT_WORD(at, OIT_AT_COLOR + 3));\n"
+    "    q = uvec4(0u);\n"
+    "#if OIT_LANES == 4\n"
+    "    r = oit_data[at];\n"
+    "#if OIT_SORTED > 4\n"
+    "    q = oit_data[at + 1u];\n"
     "#endif\n"
+    "#else\n"
+    "    r = uvec4(oit_data[at], oit_data[at + 1u]);\n"
+    "#if OIT_SORTED > 4\n"
+    "    q.xy = oit_data[at + 2u];\n"
+    "#endif\n"
+    "#if OIT_SORTED > 6\n"
+    "    q.zw = oit_data[at + 3u];\n"
+    "#endif\n"
+    "#endif\n"
+    "#if OIT_SORTED < 4\n"
+    "    r.w = 0u;\n"
+    "#endif\n"
+    "#if OIT_SORTED < 6\n"
+    "    q.y = 0u;\n"
+    "#endif\n"
+    "#if OIT_SORTED < 7\n"
+    "    q.z = 0u;\n"
+    "#endif\n"
+    "#if OIT_SORTED < 8\n"
+    "    q.w = 0u;\n"
+    "#endif\n"
+    "}\n"
+    "\n"
+    "uvec4 oit_color_words(uvec4 r, uvec4 q)\n"
+    "{\n"
+    "    uvec4 w = uvec4(OIT_SORTED_WORD(OIT_AT_COLOR), OIT_SORTED_WORD(OIT_AT_COLOR + 1), 0u, 0u);\n"
+    "#if OIT_COLOR == OIT_COLOR_FLOAT\n"
+    "    w.z = OIT_SORTED_WORD(OIT_AT_COLOR + 2);\n"
+    "    w.w = OIT_SORTED_WORD(OIT_AT_COLOR + 3);\n"
+    "#endif\n"
+    "    return w;\n"
     "}\n",
     0};
 static const char *const oit_i_shader_oit_report_comp[] = {
@@ -942,7 +1229,11 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "#if OIT_HAS_COVERAGE && OIT_POST_DEPTH\n"
     "layout(post_depth_coverage) in;\n"
     "#endif\n"
+    "#if OIT_KEEPS && OIT_PASS == OIT_COUNT\n"
+    "layout(std430, binding = OIT_BINDING_PIXELS) coherent buffer oit_pixels { uint oit_pixel[]; };\n"
+    "#else\n"
     "layout(std430, binding = OIT_BINDING_PIXELS) buffer oit_pixels { uint oit_pixel[]; };\n"
+    "#endif\n"
     "#if OIT_PASS == OIT_FILL\n"
     "layout(std430, binding = OIT_BINDING_FRAGMENTS) writeonly buffer oit_fragments { OIT_VECTOR oit_data[]; };\n"
     "#endif\n"
@@ -1045,6 +1336,53 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "    return uint(at.y) * uint(oit_area.z) + uint(at.x);\n"
     "}\n"
     "\n"
+    "#if OIT_KEEPS\n"
+    "// By what the k nearest are chosen, the same in both geometry passes: all bits of the depth, or (Murray 2016, section 4.2)\n"
+    "// 16 of it and then 16 of the part. Never OIT_NONE.\n"
+    "uint oit_key(oit_fragment f)\n"
+    "{\n"
+    "#if OIT_KEY_BITS == 16\n"
+    "    uint depth = uint(clamp(gl_FragCoord.z, 0.0, 1.0) * 65534.0);\n"
+    "#if OIT_REVERSED_Z\n"
+    "    depth = 65534u - depth;\n"
+    "#endif\n"
+    "    return depth << 16u | (f.part & 0xffffu);\n"
+    "#else\n"
+    "    return oit_depth_bits();\n"
+    "#endif\n"
+    "}\n"
+    "#endif\n"
+    "\n"
+    "#if OIT_KEEPS && OIT_PASS == OIT_COUNT\n",
+    "#line 134\n"
+    "// Leaves the k + 1 smallest keys of the pixel in its k + 1 words, in no order. A word only ever gets smaller, and by a\n"
+    "// swap that fails where another fragment was there before. So when the swap succeeds, all that was read of the other words\n"
+    "// is still an upper bound of them: the key that goes is the greatest of the k + 2, whatever else is under way, and a key\n"
+    "// that is not less than all words read is not less than all words are. The smallest k + 1 stay, in any order of arrival.\n"
+    "// No word ever exceeds the limit once it is set, which spares most fragments the search.\n"
+    "void oit_select(uint p, uint key)\n"
+    "{\n"
+    "    uint place = atomicAdd(oit_pixel[OIT_LEFT(p)], 1u);\n"
+    "    if (place <= OIT_LAYERS && atomicCompSwap(oit_pixel[OIT_KEY(p, place)], OIT_NONE, key) == OIT_NONE)\n"
+    "        return;\n"
+    "    while (key < oit_pixel[OIT_LIMIT(p)]) {\n"
+    "        uint most = 0u, second = 0u, at = 0u;\n"
+    "        for (uint i = 0u; i <= OIT_LAYERS; ++i) {\n"
+    "            uint other = oit_pixel[OIT_KEY(p, i)];\n"
+    "            second = max(second, min(other, most));\n"
+    "            at = other >= most ? i : at;\n"
+    "            most = max(most, other);\n"
+    "        }\n"
+    "        if (key >= most)\n"
+    "            return;\n"
+    "        if (atomicCompSwap(oit_pixel[OIT_KEY(p, at)], most, key) == most) {\n"
+    "            atomicMin(oit_pixel[OIT_LIMIT(p)], max(second, key));\n"
+    "            return;\n"
+    "        }\n"
+    "    }\n"
+    "}\n"
+    "#endif\n"
+    "\n"
     "#if OIT_PASS == OIT_FILL\n"
     "#if OIT_HAS_NORMAL\n"
     "// The octahedron unfolded: both coordinates of a direction in 16 bits each. A normal of no length is that toward the eye.\n"
@@ -1061,8 +1399,7 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "void oit_write(uint at, oit_fragment f)\n"
     "{\n"
     "    vec4 color = oit_finite(f.color);\n"
-    "    uint w[OIT_VECTORS * OIT_LANES];\n",
-    "#line 129\n"
+    "    uint w[OIT_VECTORS * OIT_LANES];\n"
     "    for (int i = 0; i < OIT_VECTORS * OIT_LANES; ++i)\n"
     "        w[i] = 0u;\n"
     "    w[0] = oit_depth_bits();\n"
@@ -1088,7 +1425,7 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "        w[OIT_AT_COLOR + i] = floatBitsToUint(color[i]);\n"
     "#endif\n"
     "#if OIT_HAS_BLEND && OIT_COLOR != OIT_COLOR_8\n"
-    "    w[OIT_AT_BLEND] = f.blend;\n"
+    "    w[OIT_AT_BLEND] = f.blend & 255u;\n"
     "#endif\n"
     "#if OIT_HAS_NORMAL\n"
     "    w[OIT_AT_NORMAL] = oit_pack_normal(f.normal);\n"
@@ -1098,7 +1435,7 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "    w[OIT_AT_UV + 1] = floatBitsToUint(f.uv.y);\n"
     "#endif\n"
     "#if OIT_HAS_COVERAGE\n"
-    "    w[OIT_AT_COVERAGE] = oit_coverage();\n"
+    "    w[OIT_AT_COVERAGE] |= oit_coverage() << uint(OIT_COVERAGE_SHIFT);\n"
     "#endif\n"
     "#if OIT_HOST_WORDS > 0\n"
     "    for (int i = 0; i < OIT_HOST_WORDS; ++i)\n"
@@ -1112,17 +1449,17 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "#endif\n"
     "}\n"
     "\n"
-    "#if OIT_ASYNC\n"
+    "#if OIT_ASYNC || OIT_KEEPS\n"
     "// The tail: sums that do not depend on the order, in integers so that rounding does not either. The layers of a pixel are\n"
-    "// taken as mixed evenly: optical depths add, colours are weighted by them. Bits are shared out by the count of the\n"
-    "// pixel, so that no sum overflows: colours up to 4 and optical depths up to 11 make less than 64 a fragment.\n"
-    "void oit_to_tail(uint p, uint count, oit_fragment f)\n"
+    "// taken as mixed evenly: optical depths add, colours are weighted by them. Colours up to 4 and optical depths up to 11 make\n"
+    "// less than 64 a fragment.\n"
+    "vec4 oit_tail_parts(oit_fragment f)\n"
     "{\n"
     "    vec4 color = oit_finite(f.color);\n"
-    "#if OIT_HAS_COVERAGE // the tail knows no samples: a fragment is as much thinner as it covers less of the pixel\n"
+    "#if OIT_HAS_COVERAGE // the tail knows no samples: a fragment is as much thinner as it covers less of the pixel\n",
+    "#line 236\n"
     "    color *= vec4(vec3(OIT_PREMULTIPLIED == 1 ? OIT_SHARE(oit_coverage()) : 1.0), OIT_SHARE(oit_coverage()));\n"
     "#endif\n"
-    "    float scale = exp2(float(26 - findMSB(count) - 1));\n"
     "    float thickness = min(-log(1.0 - min(color.a, 0.999999)), 11.0);\n"
     "    vec3 c = clamp(color.rgb, 0.0, 4.0);\n"
     "#if OIT_PREMULTIPLIED\n"
@@ -1141,12 +1478,33 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "        weight = 0.0;\n"
     "    }\n"
     "#endif\n"
-    "    uvec4 parts = uvec4(vec4(c * weight, thickness) * scale + 0.5);\n"
+    "    return vec4(c * weight, thickness);\n"
+    "}\n"
+    "\n"
+    "#if OIT_KEEPS\n"
+    "// In units of 2^-26, with 16 more bits by carries: how many there are follows from the sum alone. A fragment makes less\n"
+    "// than one, so that 65,535 fragments do not overflow.\n"
+    "void oit_to_tail(uint p, oit_fragment f)\n"
+    "{\n"
+    "    uvec4 parts = uvec4(oit_tail_parts(f) * 67108864.0 + 0.5);\n"
+    "    for (uint c = 0u; c < 4u; ++c) {\n"
+    "        uint before = atomicAdd(oit_pixel[OIT_TAIL(p) + c], parts[c]);\n"
+    "        if (before > 0xffffffffu - parts[c])\n"
+    "            atomicAdd(oit_pixel[OIT_TAIL(p) + 4u + (c >> 1u)], 1u << (16u * (c & 1u)));\n"
+    "    }\n"
+    "}\n"
+    "#else\n"
+    "// Bits are shared out by the count of the pixel, so that no sum overflows.\n"
+    "void oit_to_tail(uint p, uint count, oit_fragment f)\n"
+    "{\n"
+    "    float scale = exp2(float(26 - findMSB(count) - 1));\n"
+    "    uvec4 parts = uvec4(oit_tail_parts(f) * scale + 0.5);\n"
     "    atomicAdd(oit_pixel[OIT_TAIL(p)], parts.r);\n"
     "    atomicAdd(oit_pixel[OIT_TAIL(p) + 1u], parts.g);\n"
     "    atomicAdd(oit_pixel[OIT_TAIL(p) + 2u], parts.b);\n"
     "    atomicAdd(oit_pixel[OIT_TAIL(p) + 3u], parts.a);\n"
     "}\n"
+    "#endif\n"
     "#endif\n"
     "#endif\n"
     "\n"
@@ -1159,9 +1517,17 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "    if (oit_coverage() != oit_samples.x)\n"
     "        oit_pixel[OIT_EDGE(p)] = 1u;\n"
     "#endif\n"
-    "#if OIT_PASS == OIT_COUNT\n"
+    "#if OIT_KEEPS && OIT_PASS == OIT_COUNT\n"
+    "    oit_select(p, oit_key(f));\n"
+    "#elif OIT_PASS == OIT_COUNT\n"
     "    atomicAdd(oit_pixel[OIT_LEFT(p)], 1u);\n"
     "#else\n"
+    "#if OIT_KEEPS\n"
+    "    if (oit_key(f) >= oit_pixel[OIT_LIMIT(p)]) {\n"
+    "        oit_to_tail(p, f);\n"
+    "        return;\n"
+    "    }\n"
+    "#endif\n"
     "    uint left = atomicAdd(oit_pixel[OIT_LEFT(p)], 0xffffffffu);\n"
     "#if OIT_ASYNC\n"
     "    if (left >> 30u == 1u) { // OIT_UNFIT, and not what wraps below 0\n"
@@ -1174,8 +1540,7 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "    }\n"
     "#endif\n"
     "    // Nothing is written outside of the run, however many fragments come: after as many as were counted, what is left is\n"
-    "    // 0, and then wraps to more than any pool holds.\n",
-    "#line 241\n"
+    "    // 0, and then wraps to more than any pool holds.\n"
     "    uint slot = oit_pixel[OIT_START(p)] + left - 1u - oit_pool.y;\n"
     "    if (left - 1u >= oit_pool.z || slot >= oit_pool.z) {\n"
     "        atomicAdd(oit_pixel[OIT_EXTRA], 1u);\n"
@@ -1272,13 +1637,17 @@ static const char *const oit_i_shader_oit_surface_frag[] = {
     "#if OIT_WANTS_NORMAL\n"
     "in vec3 oit_v_normal;\n"
     "#endif\n"
-    "#if OIT_PASS == OIT_FILL && (OIT_HAS_PART || OIT_HAS_KEY || OIT_HAS_BLEND)\n"
+    "#if (OIT_PASS == OIT_FILL && (OIT_HAS_PART || OIT_HAS_KEY || OIT_HAS_BLEND)) || OIT_KEY_BITS == 16\n"
     "uniform uvec4 oit_object; // part, key, blend\n"
     "#endif\n"
     "\n"
     "void main()\n"
     "{\n"
-    "#if OIT_PASS == OIT_COUNT\n"
+    "#if OIT_PASS == OIT_COUNT && OIT_KEY_BITS == 16\n"
+    "    oit_fragment f;\n"
+    "    f.part = oit_object.x;\n"
+    "    oit_store(f);\n"
+    "#elif OIT_PASS == OIT_COUNT\n"
     "    oit_store(vec4(0.0));\n"
     "#else\n"
     "    vec4 color = oit_object_color;\n"
@@ -1350,7 +1719,6 @@ static const char *const oit_i_shader_oit_tail_frag[] = {
     "#line 1\n"
     "// For: oit_buffers.h\n"
     "// The pixels whose runs did not fit, from the sums of oit_to_tail: layers of mean colour, as thick as all together.\n"
-    "layout(std430, binding = OIT_BINDING_PIXELS) readonly buffer oit_pixels { uint oit_pixel[]; };\n"
     "#if OIT_MODE == OIT_MODE_DUAL\n"
     "layout(location = 0, index = 0) out highp vec4 oit_out;\n"
     "layout(location = 0, index = 1) out highp vec4 oit_keep;\n"
@@ -1367,15 +1735,20 @@ static const char *const oit_i_shader_oit_tail_frag[] = {
     "    ivec2 where = ivec2(gl_FragCoord.xy) - oit_area.xy;\n"
     "    uint p = uint(where.y) * uint(oit_area.z) + uint(where.x);\n"
     "    uint start = oit_pixel[OIT_START(p)], end = oit_pixel[OIT_START(p + 1u)];\n"
+    "#if OIT_KEEPS\n"
+    "    // Where some fragments are kept, the tail is laid behind them with the run.\n"
+    "    start += uint(max(int(oit_pixel[OIT_LEFT(p)]), 0));\n"
+    "    if (end != start || oit_pixel[OIT_LIMIT(p)] == OIT_NONE)\n"
+    "        discard;\n"
+    "    vec4 sums = oit_tail_sums(p);\n"
+    "#else\n"
     "    if (end <= oit_pool.z || end == start)\n"
     "        discard;\n"
-    "    float unit = exp2(float(findMSB(end - start) - 25));\n"
-    "    uint at = OIT_TAIL(p);\n"
-    "    vec3 light = vec3(uvec3(oit_pixel[at], oit_pixel[at + 1u], oit_pixel[at + 2u])) * unit;\n"
-    "    float thickness = float(oit_pixel[at + 3u]) * unit;\n"
-    "    float through = exp(-thickness);\n"
-    "    // (1 - e^-t) / t, whose quotient loses its digits near 0.\n"
-    "    vec3 sum = light * (thickness > 1.0e-3 ? (1.0 - through) / thickness : 1.0 - 0.5 * thickness);\n"
+    "    vec4 sums = oit_tail_sums(p, end - start);\n"
+    "#endif\n"
+    "    vec4 tail = oit_tail_light(sums);\n"
+    "    vec3 sum = tail.rgb;\n"
+    "    float through = tail.a;\n"
     "#if OIT_MODE == OIT_MODE_DUAL\n"
     "    oit_out = vec4(sum, 0.0);\n"
     "    oit_keep = vec4(vec3(oit_light.w * through), 0.0);\n"
@@ -1645,6 +2018,8 @@ enum {
     OIT_I_PROGRAM_TOPS,
     OIT_I_PROGRAM_SPREAD,
     OIT_I_PROGRAM_REPORT,
+    OIT_I_PROGRAM_KEEP,
+    OIT_I_PROGRAM_ARRANGE,
     OIT_I_PROGRAM_COUNT,
     OIT_I_PROGRAM_FILL,
     OIT_I_PROGRAM_FILL_LIT,
@@ -1722,6 +2097,8 @@ typedef enum oit_i_step {
     OIT_I_STEP_DEPTH,
     OIT_I_STEP_COMPOSED,
     OIT_I_STEP_REPORT,
+    OIT_I_STEP_KEEP,
+    OIT_I_STEP_ARRANGE,
     OIT_I_STEP_DONE
 } oit_i_step;
 
@@ -1765,6 +2142,7 @@ struct oit_context {
     oit_i_step step;
     oit_result failure; /* of this frame */
     int rows, slab_y, slab_rows;
+    int layers;              /* k of the stores that keep the k nearest; 0 for the others */
     int part[4];             /* x, y, width, height of the band within the slab */
     oit_i_u part_start;      /* its first fragment */
     oit_i_u needed, deepest; /* of the slab; OIT_FIT_WAIT */
@@ -1863,8 +2241,8 @@ OIT_I_API const char *oit_result_string(oit_result result) {
 }
 
 OIT_I_API const char *oit_pass_kind_name(oit_pass_kind kind) {
-    static const char *const names[OIT_PASS_KIND_COUNT] = {"clear",  "count", "sum",     "tops", "spread",
-                                                           "report", "fill",  "compose", "pick", "depth"};
+    static const char *const names[OIT_PASS_KIND_COUNT] = {"clear", "count",   "sum",  "tops",    "spread", "report",
+                                                           "fill",  "compose", "keep", "arrange", "pick",   "depth"};
     return (unsigned)kind < (unsigned)OIT_PASS_KIND_COUNT ? names[kind] : "not a pass";
 }
 
@@ -2093,6 +2471,11 @@ static void oit_i_find_state_limits(oit_context *oit) {
     oit->gl.gl_GetIntegerv(OIT_I_GL_MAX_VIEWPORT_DIMS, oit->max_viewport);
 }
 
+/* Whether the store keeps the k nearest fragments of each pixel, and the sum of the others. */
+static int oit_i_keeps(const oit_desc *desc) {
+    return desc->store == OIT_STORE_BUDGET || desc->store == OIT_STORE_BUCKETED;
+}
+
 static const char *oit_i_bad_member(const oit_desc *desc) {
 #ifndef OIT_GL_STATIC
     if (!desc->get_proc)
@@ -2110,8 +2493,14 @@ static const char *oit_i_bad_member(const oit_desc *desc) {
         return "color or fields has bits that are none";
     if ((unsigned)desc->store > (unsigned)OIT_STORE_FETCH)
         return "store is none of its enumerators";
-    if (desc->store != OIT_STORE_EXACT)
+    if (desc->store != OIT_STORE_EXACT && !oit_i_keeps(desc))
         return "store is one that this version does not have";
+    if (desc->budget_bytes < 0 || desc->layers < 0)
+        return "budget_bytes or layers is negative";
+    if (desc->bucket_depth_bits != 0 && desc->bucket_depth_bits != 16 && desc->bucket_depth_bits != 32)
+        return "bucket_depth_bits is none of 0, 16 and 32";
+    if (desc->store == OIT_STORE_BUCKETED && !(desc->fields & OIT_FIELD_PART))
+        return "OIT_STORE_BUCKETED groups fragments by OIT_FIELD_PART, which is not chosen";
     if ((desc->fields & OIT_FIELD_COVERAGE) && desc->state == OIT_STATE_NONE)
         return "OIT_FIELD_COVERAGE does not go with OIT_STATE_NONE: samples are the target's, which is not asked there";
     if (desc->sample_order && !(desc->fields & OIT_FIELD_COVERAGE))
@@ -2457,6 +2846,8 @@ static void oit_i_define(oit_i_text *text, const char *name, int64_t value) {
 /* Where the words of a record lie, in the order in which they are compared; 0: not there. */
 typedef struct oit_i_record {
     int part, key, color, blend, normal, uv, coverage, host, words, lanes;
+    int sorted;         /* words up to colour, blend and coverage, by which runs are sorted and composed: 8 at most */
+    int coverage_shift; /* bits; coverage shares the word of blend where that has one */
 } oit_i_record;
 
 static oit_i_record oit_i_layout(const oit_desc *desc) {
@@ -2471,20 +2862,27 @@ static oit_i_record oit_i_layout(const oit_desc *desc) {
     next += desc->color == OIT_COLOR_FLOAT ? 4 : 2;
     if ((desc->fields & OIT_FIELD_BLEND) && desc->color != OIT_COLOR_8)
         at.blend = next++;
+    if (desc->fields & OIT_FIELD_COVERAGE) {
+        at.coverage = at.blend ? at.blend : next++;
+        at.coverage_shift = at.blend ? 8 : 0;
+    }
+    at.sorted = next;
     if (desc->fields & OIT_FIELD_NORMAL)
         at.normal = next++;
     if (desc->fields & OIT_FIELD_UV) {
         at.uv = next;
         next += 2;
     }
-    if (desc->fields & OIT_FIELD_COVERAGE)
-        at.coverage = next++;
     at.host = next;
     next += desc->host_words;
     /* In vectors, which drivers move at once: of four words, or of two where that saves memory. */
     at.words = (next + 1) / 2 * 2;
     at.lanes = at.words % 4 == 0 ? 4 : 2;
     return at;
+}
+
+static int oit_i_key_bits(const oit_desc *desc) {
+    return desc->store == OIT_STORE_BUCKETED && desc->bucket_depth_bits == 16 ? 16 : 32;
 }
 
 /* gl_SampleID and gl_SampleMaskIn; and the latter as it is after the depth test. */
@@ -2509,7 +2907,7 @@ static void oit_i_write_preamble(const oit_desc *desc, int es, char *at, size_t 
     oit_i_define(&text, "OIT_BINDING_REPORT", desc->first_storage_binding + OIT_I_REPORT);
     oit_i_define(&text, "OIT_UNIFORM_BINDING", desc->uniform_binding);
     oit_i_define(&text, "OIT_REVERSED_Z", desc->reversed_z != 0);
-    oit_i_define(&text, "OIT_ASYNC", desc->fit == OIT_FIT_ASYNC);
+    oit_i_define(&text, "OIT_ASYNC", desc->fit == OIT_FIT_ASYNC && !oit_i_keeps(desc));
     oit_i_define(&text, "OIT_PREMULTIPLIED", desc->premultiplied != 0);
     oit_i_define(&text, "OIT_HAS_PART", (desc->fields & OIT_FIELD_PART) != 0);
     oit_i_define(&text, "OIT_HAS_KEY", (desc->fields & OIT_FIELD_KEY) != 0);
@@ -2523,6 +2921,7 @@ static void oit_i_write_preamble(const oit_desc *desc, int es, char *at, size_t 
     oit_i_define(&text, "OIT_LANES", record.lanes);
     oit_i_define(&text, "OIT_VECTORS", record.words / record.lanes);
     oit_i_put(&text, record.lanes == 4 ? "#define OIT_VECTOR uvec4\n" : "#define OIT_VECTOR uvec2\n");
+    oit_i_define(&text, "OIT_SORTED", record.sorted);
     oit_i_define(&text, "OIT_AT_PART", record.part);
     oit_i_define(&text, "OIT_AT_KEY", record.key);
     oit_i_define(&text, "OIT_AT_COLOR", record.color);
@@ -2530,9 +2929,12 @@ static void oit_i_write_preamble(const oit_desc *desc, int es, char *at, size_t 
     oit_i_define(&text, "OIT_AT_NORMAL", record.normal);
     oit_i_define(&text, "OIT_AT_UV", record.uv);
     oit_i_define(&text, "OIT_AT_COVERAGE", record.coverage);
+    oit_i_define(&text, "OIT_COVERAGE_SHIFT", record.coverage_shift);
     oit_i_define(&text, "OIT_AT_HOST", record.host);
     oit_i_define(&text, "OIT_COLOR", (int)desc->color);
     oit_i_define(&text, "OIT_STORE", (int)desc->store);
+    oit_i_define(&text, "OIT_KEEPS", oit_i_keeps(desc));
+    oit_i_define(&text, "OIT_KEY_BITS", oit_i_key_bits(desc));
     oit_i_put(&text, "#define OIT_EXACT 0\n#define OIT_PREDICT 1\n#define OIT_BUDGET 2\n");
     oit_i_put(&text, "#define OIT_LINKED 3\n#define OIT_BUCKETED 4\n#define OIT_FETCH 5\n");
     oit_i_put(&text, "#define OIT_COLOR_8 0\n#define OIT_COLOR_HALF 1\n#define OIT_COLOR_FLOAT 2\n");
@@ -2563,17 +2965,11 @@ static void oit_i_host_source(oit_i_source *source, oit_stage stage, int fill, i
 
 #define OIT_I_NETWORK_CAPACITY ((size_t)48 << 10)
 
-static void oit_i_put_pair(oit_i_text *text, const char *macro, int first, int second) {
+static void oit_i_put_pair(oit_i_text *text, const char *macro, int i) {
     oit_i_put(text, macro);
-    oit_i_put_number(text, first);
+    oit_i_put_number(text, i);
     oit_i_put(text, ",o");
-    oit_i_put_number(text, first);
-    if (second >= 0) {
-        oit_i_put(text, ",d");
-        oit_i_put_number(text, second);
-        oit_i_put(text, ",o");
-        oit_i_put_number(text, second);
-    }
+    oit_i_put_number(text, i);
     oit_i_put(text, ")\n");
 }
 
@@ -2588,37 +2984,48 @@ static void oit_i_put_order(oit_i_text *text, int size) {
     }
 }
 
-/* oit_sort: up to `size` records in registers through Batcher's odd-even merge network. Returns whether depths tie. */
-static void oit_i_put_network(oit_i_text *text, int size) {
-    int i, j, k, p;
-    oit_i_put(text, "bool oit_sort(uint base, uint n)\n{\n");
+/* "M(r1,q1" and, unless second is negative, ",r2,q2". */
+static void oit_i_put_registers(oit_i_text *text, const char *macro, int first, int second) {
+    oit_i_put(text, macro);
+    oit_i_put(text, "(r");
+    oit_i_put_number(text, first);
+    oit_i_put(text, ",q");
+    oit_i_put_number(text, first);
+    if (second < 0)
+        return;
+    oit_i_put(text, ",r");
+    oit_i_put_number(text, second);
+    oit_i_put(text, ",q");
+    oit_i_put_number(text, second);
+}
+
+/* macro(r, q, i) for each of `size` registers */
+static void oit_i_put_each(oit_i_text *text, const char *macro, int size) {
+    int i;
     for (i = 0; i < size; ++i) {
-        oit_i_put(text, "L(d");
-        oit_i_put_number(text, i);
-        oit_i_put(text, ",o");
-        oit_i_put_number(text, i);
+        oit_i_put_registers(text, macro, i, -1);
         oit_i_put(text, ",");
         oit_i_put_number(text, i);
         oit_i_put(text, "u)\n");
     }
+}
+
+/* oit_lay_run for up to `size` records: read, put in order by Batcher's odd-even merge network, laid; all in registers, in
+   one straight line. */
+static void oit_i_put_network(oit_i_text *text, int size) {
+    int i, j, k, p;
+    oit_i_put(text, "void oit_lay_run(uint base, uint n)\n{\n");
+    oit_i_put_each(text, "L", size);
     for (p = 1; p < size; p *= 2)
         for (k = p; k >= 1; k /= 2)
             for (j = k % p; j + k < size; j += 2 * k)
                 for (i = 0; i < k && i + j + k < size; ++i)
-                    if ((i + j) / (2 * p) == (i + j + k) / (2 * p))
-                        oit_i_put_pair(text, "S(d", i + j, i + j + k);
-    oit_i_put(text, "bool tie = false;\n");
-    for (i = 1; i < size; ++i) {
-        oit_i_put(text, "T(d");
-        oit_i_put_number(text, i - 1);
-        oit_i_put(text, ",d");
-        oit_i_put_number(text, i);
-        oit_i_put(text, ",");
-        oit_i_put_number(text, i);
-        oit_i_put(text, "u)\n");
-    }
-    oit_i_put_order(text, size);
-    oit_i_put(text, "return tie;\n}\n");
+                    if ((i + j) / (2 * p) == (i + j + k) / (2 * p)) {
+                        oit_i_put_registers(text, "S", i + j, i + j + k);
+                        oit_i_put(text, ")\n");
+                    }
+    oit_i_put_each(text, "Y", size);
+    oit_i_put(text, "}\n");
 }
 
 /* oit_select: of n records the `size` first that come after (depth, from), by depth and then by where they lie. The last
@@ -2627,13 +3034,13 @@ static void oit_i_put_selection(oit_i_text *text, int size) {
     int i;
     oit_i_put(text, "void oit_select(uint base, uint n, bool more, inout uint depth, inout uint from)\n{\n");
     for (i = 0; i < size; ++i)
-        oit_i_put_pair(text, "D(d", i, -1);
+        oit_i_put_pair(text, "D(d", i);
     oit_i_put(text, "for (uint i = 0u; i < n; ++i) {\nuint y = base + i * uint(OIT_VECTORS), x = oit_record_depth(y);\n"
                     "if (x >= d");
     oit_i_put_number(text, size - 1);
     oit_i_put(text, " || (more && (x < depth || (x == depth && y <= from))))\ncontinue;\nbool s = false;\n");
     for (i = 0; i < size; ++i)
-        oit_i_put_pair(text, "I(d", i, -1);
+        oit_i_put_pair(text, "I(d", i);
     oit_i_put(text, "}\ndepth = d");
     oit_i_put_number(text, size - 2);
     oit_i_put(text, ";\nfrom = o");
@@ -2657,11 +3064,13 @@ static void oit_i_compose_source(oit_i_source *source, int index, int mode, int 
     }
     oit_i_add(source, scratch);
     oit_i_add_chunks(source, oit_i_shader_oit_frame_block_glsl);
+    if (!tail)
+        oit_i_add_chunks(source, oit_i_shader_oit_record_glsl);
+    oit_i_add_chunks(source, oit_i_shader_oit_behind_glsl);
     if (tail) {
         oit_i_add_chunks(source, oit_i_shader_oit_tail_frag);
         return;
     }
-    oit_i_add_chunks(source, oit_i_shader_oit_record_glsl);
     oit_i_add_chunks(source, oit_i_shader_oit_compose_glsl);
     network = text.length + 1;
     text = oit_i_text_in(scratch + network, OIT_I_NETWORK_CAPACITY - network);
@@ -2674,15 +3083,22 @@ static void oit_i_compose_source(oit_i_source *source, int index, int mode, int 
 }
 
 /* In the order of OIT_I_PROGRAM_*. */
-static const oit_i_strings oit_i_kernels[] = {oit_i_shader_oit_clear_comp, oit_i_shader_oit_sum_comp,
-                                              oit_i_shader_oit_tops_comp, oit_i_shader_oit_spread_comp,
-                                              oit_i_shader_oit_report_comp};
+static const oit_i_strings oit_i_kernels[] = {oit_i_shader_oit_clear_comp,  oit_i_shader_oit_sum_comp,
+                                              oit_i_shader_oit_tops_comp,   oit_i_shader_oit_spread_comp,
+                                              oit_i_shader_oit_report_comp, oit_i_shader_oit_keep_comp,
+                                              oit_i_shader_oit_arrange_comp};
 
 static void oit_i_compute_source(oit_i_source *source, int program) {
     if (program == OIT_I_PROGRAM_TOPS || program == OIT_I_PROGRAM_SPREAD)
         oit_i_add(source, "#define OIT_SCANS 1\n");
     oit_i_add_chunks(source, oit_i_shader_oit_frame_block_glsl);
-    oit_i_add_chunks(source, oit_i_shader_oit_scan_glsl);
+    if (program == OIT_I_PROGRAM_ARRANGE) {
+        oit_i_add(source, "#define OIT_ARRANGES 1\n");
+        oit_i_add_chunks(source, oit_i_shader_oit_record_glsl);
+        oit_i_add_chunks(source, oit_i_shader_oit_buckets_glsl);
+    } else {
+        oit_i_add_chunks(source, oit_i_shader_oit_scan_glsl);
+    }
     oit_i_add_chunks(source, oit_i_kernels[program]);
 }
 
@@ -2861,6 +3277,8 @@ static void oit_i_limit_blocks(oit_context *oit) {
         oit->desc.ceiling_bytes = (int64_t)512 << 20;
     if (oit->desc.ceiling_bytes > most)
         oit->desc.ceiling_bytes = most;
+    if (oit->desc.budget_bytes == 0)
+        oit->desc.budget_bytes = (int64_t)256 << 20;
 }
 
 static oit_result oit_i_set_up(oit_context *oit) {
@@ -3014,14 +3432,41 @@ static oit_i_u oit_i_blocks(int64_t pixels) {
     return (oit_i_u)((pixels + OIT_I_SCAN_BLOCK - 1) / OIT_I_SCAN_BLOCK);
 }
 
+/* Words of the pixel buffer for each fragment that may be kept: its key, and a bucket of two. */
+static int oit_i_kept_words(const oit_desc *desc) {
+    return desc->store == OIT_STORE_BUCKETED ? 3 : 1;
+}
+
+#define OIT_I_MAX_LAYERS 1024
+
+/* k: as many as the budget has room for in each pixel of the image. */
+static int oit_i_layers(const oit_context *oit, int64_t pixels) {
+    int64_t each = oit->info.fragment_bytes + 4 * oit_i_kept_words(&oit->desc);
+    int64_t most = oit->desc.layers ? oit->desc.layers : OIT_I_MAX_LAYERS;
+    int64_t layers = pixels > 0 ? oit->desc.budget_bytes / each / pixels : 0;
+    if (!oit_i_keeps(&oit->desc))
+        return 0;
+    if (most > OIT_I_MAX_LAYERS)
+        most = OIT_I_MAX_LAYERS;
+    return (int)(layers < most ? layers : most);
+}
+
 /* Of the pixel buffer, laid out as shaders/oit_frame_block.glsl says. */
 static int64_t oit_i_pixel_bytes(const oit_context *oit, int64_t pixels) {
     int64_t words = OIT_I_HEADER_WORDS + 2 * pixels + 2 + (int64_t)oit_i_blocks(pixels);
-    if (oit->desc.fit == OIT_FIT_ASYNC)
+    if (oit_i_keeps(&oit->desc))
+        words += (8 + (int64_t)oit->layers * oit_i_kept_words(&oit->desc)) * pixels;
+    else if (oit->desc.fit == OIT_FIT_ASYNC)
         words += 4 * pixels;
     if (oit->desc.fields & OIT_FIELD_COVERAGE)
         words += pixels;
     return 4 * words;
+}
+
+/* Whether the buffers of so many pixels are such as the context can have. */
+static int oit_i_can_hold(const oit_context *oit, int64_t pixels) {
+    return oit_i_pixel_bytes(oit, pixels) <= oit->desc.max_block_bytes &&
+           pixels * oit->layers * oit->info.fragment_bytes <= oit->desc.max_block_bytes;
 }
 
 /* Rows of the image that one pixel buffer holds: all, or as many as fit; 0 where not even one does. */
@@ -3029,7 +3474,7 @@ static int oit_i_rows_at_once(const oit_context *oit, int width, int height) {
     int low = 0, high = height;
     while (low < high) {
         int middle = low + (high - low + 1) / 2;
-        if (oit_i_pixel_bytes(oit, (int64_t)width * middle) <= oit->desc.max_block_bytes)
+        if (oit_i_can_hold(oit, (int64_t)width * middle))
             low = middle;
         else
             high = middle - 1;
@@ -3081,6 +3526,16 @@ static oit_result oit_i_upload_block(oit_context *oit, const oit_i_block *block)
     return OIT_OK;
 }
 
+/* k records a pixel; at least one, since a buffer of none cannot be bound. */
+static oit_result oit_i_make_places(oit_context *oit, int64_t pixels) {
+    int64_t places = pixels * oit->layers, bytes = (places > 0 ? places : 1) * oit_i_record_bytes(oit);
+    if (oit->sizes[OIT_I_FRAGMENTS] < bytes || oit->sizes[OIT_I_FRAGMENTS] / 4 > bytes)
+        if (!oit_i_resize(oit, OIT_I_FRAGMENTS, bytes, OIT_I_GL_DYNAMIC_COPY))
+            return oit_i_fail(&oit->desc, OIT_OUT_OF_MEMORY, "oit_begin", "no memory for the fragments");
+    oit->capacity = (oit_i_u)places;
+    return OIT_OK;
+}
+
 static oit_result oit_i_make_buffers(oit_context *oit) {
     int64_t pixels = (int64_t)oit->frame.width * oit->rows, bytes = oit_i_pixel_bytes(oit, pixels);
     int i;
@@ -3091,6 +3546,8 @@ static oit_result oit_i_make_buffers(oit_context *oit) {
     for (i = OIT_I_REPORT; i < OIT_I_REPORT + OIT_I_REPORTS; ++i)
         if (!oit->sizes[i] && !oit_i_resize(oit, i, 4 * OIT_I_HEADER_WORDS, OIT_I_GL_DYNAMIC_READ))
             return oit_i_fail(&oit->desc, OIT_OUT_OF_MEMORY, "oit_begin", "no memory for the reports");
+    if (oit_i_keeps(&oit->desc))
+        return oit_i_make_places(oit, pixels);
     if (oit->desc.fit == OIT_FIT_WAIT && oit->capacity)
         return OIT_OK;
     if (!oit->capacity)
@@ -3186,6 +3643,7 @@ static oit_result oit_i_check_frame(oit_context *oit, const oit_frame *frame) {
         return oit_i_fail(&oit->desc, OIT_INVALID_ARGUMENT, "oit_begin", "frame.width or frame.height is negative");
     if (frame->width > oit->max_viewport[0] || frame->height > oit->max_viewport[1])
         return oit_i_fail(&oit->desc, OIT_TOO_LARGE, "oit_begin", "frame.width or frame.height");
+    oit->layers = oit_i_layers(oit, (int64_t)frame->width * frame->height);
     oit->rows = oit_i_rows_at_once(oit, frame->width, frame->height);
     if (oit->rows == 0 && frame->width > 0 && frame->height > 0)
         return oit_i_fail(&oit->desc, OIT_TOO_LARGE, "oit_begin", "one row is more than a storage block holds");
@@ -3246,9 +3704,12 @@ static void oit_i_unit_vector(float out[4], const float in[3]) {
 
 /* Which programs are drawn (bits of step[2]), the largest of them, and where each begins. */
 static void oit_i_choose_programs(const oit_context *oit, oit_i_block *block) {
-    oit_i_u deepest = oit->desc.fit == OIT_FIT_WAIT ? oit->deepest : oit->report.deepest, before = 0;
+    int keeps = oit_i_keeps(&oit->desc);
+    oit_i_u deepest = oit->desc.fit == OIT_FIT_WAIT && !keeps ? oit->deepest : oit->report.deepest, before = 0;
     uint64_t all = 0, waiting = 0;
     int i, last = 0;
+    if (keeps && deepest > (oit_i_u)oit->layers)
+        deepest = (oit_i_u)oit->layers;
     for (i = 0; i < OIT_I_CLASSES; ++i)
         all += oit->class_pixels[i];
     while (last < OIT_I_CLASSES - 2 && deepest > (oit_i_u)oit_i_class_sizes[last])
@@ -3287,6 +3748,7 @@ static oit_i_block oit_i_make_block(const oit_context *oit) {
     block.pool[2] = oit->capacity;
     block.pool[3] = oit_i_blocks(pixels);
     block.step[0] = oit->slab_y == 0;
+    block.step[3] = (oit_i_u)oit->layers;
     oit_i_choose_programs(oit, &block);
     oit_i_unit_vector(block.light, frame->light);
     block.light[3] = weight == 0.0f ? 1.0f : weight < 0.0f ? 0.0f : weight > 1.0f ? 1.0f : weight;
@@ -3313,14 +3775,20 @@ static int oit_i_compose_draws(const oit_context *oit) {
 
 /* Whether the store has passes for that program. */
 static int oit_i_uses_program(const oit_context *oit, int program) {
-    int draw = program - OIT_I_PROGRAM_COMPOSE;
+    int draw = program - OIT_I_PROGRAM_COMPOSE, keeps = oit_i_keeps(&oit->desc);
+    int sampled = program >= OIT_I_PROGRAM_SAMPLED;
+    if (program >= OIT_I_PROGRAM_SUM && program <= OIT_I_PROGRAM_SPREAD)
+        return !keeps;
+    if (program == OIT_I_PROGRAM_KEEP)
+        return keeps;
+    if (program == OIT_I_PROGRAM_ARRANGE)
+        return oit->desc.store == OIT_STORE_BUCKETED;
     if (program == OIT_I_PROGRAM_DEPTH)
         return oit->frame.depth != OIT_DEPTH_NONE;
-    int sampled = program >= OIT_I_PROGRAM_SAMPLED;
     if (sampled)
         draw = program - OIT_I_PROGRAM_SAMPLED;
     if (draw >= 0 && draw % (OIT_I_CLASSES + 1) == OIT_I_CLASSES) /* the tail */
-        return oit->desc.fit == OIT_FIT_ASYNC && !sampled;
+        return (oit->desc.fit == OIT_FIT_ASYNC || keeps) && !sampled;
     return draw < oit_i_pixel_draws(oit) && (!sampled || oit->samples > 1);
 }
 
@@ -3345,7 +3813,8 @@ static oit_result oit_i_prepare(oit_context *oit) {
         result = oit_i_fail(&oit->desc, OIT_OUT_OF_MEMORY, "oit_begin", "no vertex array");
     if (result == OIT_OK)
         result = oit_i_make_buffers(oit);
-    if (result == OIT_OK && news && oit->desc.fit == OIT_FIT_ASYNC && oit_i_capacity_is_wrong(oit, oit->report.needed))
+    if (result == OIT_OK && news && oit->desc.fit == OIT_FIT_ASYNC && !oit_i_keeps(&oit->desc) &&
+        oit_i_capacity_is_wrong(oit, oit->report.needed))
         result = oit_i_set_capacity(oit, oit_i_with_quarter(oit->report.needed), "oit_begin");
     if (result == OIT_OK) {
         block = oit_i_make_block(oit);
@@ -3356,6 +3825,13 @@ static oit_result oit_i_prepare(oit_context *oit) {
 }
 
 /* ---- the steps of each store ---- */
+
+/* The k nearest are chosen by their keys in a first geometry pass, and come in a second. */
+static const oit_i_list oit_i_budget = {
+    {OIT_I_STEP_CLEAR, OIT_I_STEP_COUNT, OIT_I_STEP_KEEP, OIT_I_STEP_FILL, OIT_I_STEP_FILLED}, OIT_I_STEP_FILL};
+static const oit_i_list oit_i_bucketed = {
+    {OIT_I_STEP_CLEAR, OIT_I_STEP_COUNT, OIT_I_STEP_KEEP, OIT_I_STEP_FILL, OIT_I_STEP_ARRANGE, OIT_I_STEP_FILLED},
+    OIT_I_STEP_FILL};
 
 static const oit_i_list oit_i_exact = {{OIT_I_STEP_CLEAR, OIT_I_STEP_COUNT, OIT_I_STEP_SUM, OIT_I_STEP_TOPS,
                                         OIT_I_STEP_SPREAD, OIT_I_STEP_MEASURE, OIT_I_STEP_FILL, OIT_I_STEP_FILLED},
@@ -3370,7 +3846,9 @@ static void oit_i_whole_part(oit_context *oit) {
 }
 
 static void oit_i_start_slab(oit_context *oit) {
-    oit->list = &oit_i_exact;
+    oit->list = oit->desc.store == OIT_STORE_BUDGET     ? &oit_i_budget
+                : oit->desc.store == OIT_STORE_BUCKETED ? &oit_i_bucketed
+                                                        : &oit_i_exact;
     oit->step = (oit_i_step)oit->list->steps[0];
     oit_i_whole_part(oit);
 }
@@ -3437,6 +3915,15 @@ OIT_I_API oit_result oit_begin(oit_context *oit, const oit_frame *frame) {
      compose  pixels, fragments           read        fill
      depth    pixels, fragments           read        fill
 
+   Of the stores that keep the k nearest:
+
+     clear    as above, and keys, limits, tail   written
+     count    pixels: counts, keys, limits       atomics, keys and limits also read   clear
+     keep     pixels: counts, keys read; starts, limits, left, totals written         count
+     fill     pixels: starts, limits read; left, tail atomics; fragments written      keep
+     arrange  pixels: starts, left read; keys, buckets both; fragments read           fill (bucketed)
+     compose  pixels, fragments read                                                  fill, arrange
+
    What the CPU maps (report; starts, to cut bands) takes a barrier of buffer updates, and then its fence, or waits. */
 static oit_i_u oit_i_barrier_before(oit_pass_kind kind) {
     switch (kind) {
@@ -3453,6 +3940,10 @@ static oit_i_u oit_i_barrier_before(oit_pass_kind kind) {
     case OIT_PASS_REPORT:
         return OIT_I_GL_SHADER_STORAGE_BARRIER;
     case OIT_PASS_FILL:
+        return OIT_I_GL_SHADER_STORAGE_BARRIER;
+    case OIT_PASS_KEEP:
+        return OIT_I_GL_SHADER_STORAGE_BARRIER;
+    case OIT_PASS_ARRANGE:
         return OIT_I_GL_SHADER_STORAGE_BARRIER;
     case OIT_PASS_PICK:
         return OIT_I_GL_SHADER_STORAGE_BARRIER;
@@ -3485,6 +3976,10 @@ static int oit_i_program_of(const oit_context *oit, oit_pass_kind kind) {
         return OIT_I_PROGRAM_SPREAD;
     case OIT_PASS_REPORT:
         return OIT_I_PROGRAM_REPORT;
+    case OIT_PASS_KEEP:
+        return OIT_I_PROGRAM_KEEP;
+    case OIT_PASS_ARRANGE:
+        return OIT_I_PROGRAM_ARRANGE;
     case OIT_PASS_FILL:
         return oit_i_is_lit(oit) ? OIT_I_PROGRAM_FILL_LIT : OIT_I_PROGRAM_FILL;
     case OIT_PASS_PICK:
@@ -3721,13 +4216,13 @@ static void oit_i_read_record(const oit_desc *desc, const oit_i_u *words, oit_pi
     if (at.key)
         pick->key = words[at.key];
     if (desc->fields & OIT_FIELD_BLEND)
-        pick->blend = at.blend ? words[at.blend] : words[at.color] >> 30;
+        pick->blend = at.blend ? words[at.blend] & 255u : words[at.color] >> 30;
     if (at.normal)
         oit_i_read_normal(words[at.normal], pick->normal);
     for (i = 0; i < 2 && at.uv; ++i)
         pick->uv[i] = oit_i_as_float(words[at.uv + i]);
     if (at.coverage)
-        pick->coverage = words[at.coverage];
+        pick->coverage = words[at.coverage] >> at.coverage_shift;
     for (i = 0; i < desc->host_words; ++i)
         pick->words[i] = words[at.host + i];
 }
@@ -3880,6 +4375,10 @@ static int oit_i_is_last_part(const oit_context *oit) {
    is not fall to the next. What is deeper than was known falls to the last, so that a wrong guess costs only time. */
 static int oit_i_is_needed(const oit_context *oit, int draw) {
     int index = draw % (OIT_I_CLASSES + 1), deep = index == OIT_I_CLASSES - 1, wait = oit->desc.fit == OIT_FIT_WAIT;
+    if (oit_i_keeps(&oit->desc) && deep)
+        return (oit_i_u)oit->layers > oit->block.step[1];
+    if (oit_i_keeps(&oit->desc) && index == OIT_I_CLASSES)
+        return 1;
     if (index == OIT_I_CLASSES && draw >= oit_i_pixel_draws(oit))
         return 0;
     if (index == OIT_I_CLASSES || deep)
@@ -3927,9 +4426,9 @@ static oit_result oit_i_after_part(oit_context *oit) {
 /* The pass of the present step. Returns 0 where there is none. */
 static int oit_i_kind_of_step(const oit_context *oit, oit_pass_kind *kind) {
     static const oit_pass_kind kinds[OIT_I_STEP_DONE] = {
-        OIT_PASS_CLEAR,  OIT_PASS_COUNT, OIT_PASS_SUM,   OIT_PASS_TOPS, OIT_PASS_SPREAD,
-        OIT_PASS_REPORT, OIT_PASS_FILL,  OIT_PASS_FILL,  OIT_PASS_PICK, OIT_PASS_COMPOSE,
-        OIT_PASS_DEPTH,  OIT_PASS_DEPTH, OIT_PASS_REPORT};
+        OIT_PASS_CLEAR,  OIT_PASS_COUNT, OIT_PASS_SUM,    OIT_PASS_TOPS, OIT_PASS_SPREAD,
+        OIT_PASS_REPORT, OIT_PASS_FILL,  OIT_PASS_FILL,   OIT_PASS_PICK, OIT_PASS_COMPOSE,
+        OIT_PASS_DEPTH,  OIT_PASS_DEPTH, OIT_PASS_REPORT, OIT_PASS_KEEP, OIT_PASS_ARRANGE};
     if (oit->step == OIT_I_STEP_FILLED || oit->step == OIT_I_STEP_DONE)
         return 0;
     *kind = kinds[(int)oit->step];
@@ -4020,6 +4519,7 @@ OIT_I_API oit_result oit_end(oit_context *oit) {
         pending->frame = oit->frame_number;
         pending->capacity = oit->capacity;
         pending->bands = oit->bands;
+        pending->layers = (uint32_t)oit->layers;
         oit->gl.gl_MemoryBarrier(OIT_I_GL_BUFFER_UPDATE_BARRIER);
         oit->fences[oit->slot] = oit->gl.gl_FenceSync(OIT_I_GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
     }

@@ -6,7 +6,11 @@ layout(early_fragment_tests) in;
 #if OIT_HAS_COVERAGE && OIT_POST_DEPTH
 layout(post_depth_coverage) in;
 #endif
+#if OIT_KEEPS && OIT_PASS == OIT_COUNT
+layout(std430, binding = OIT_BINDING_PIXELS) coherent buffer oit_pixels { uint oit_pixel[]; };
+#else
 layout(std430, binding = OIT_BINDING_PIXELS) buffer oit_pixels { uint oit_pixel[]; };
+#endif
 #if OIT_PASS == OIT_FILL
 layout(std430, binding = OIT_BINDING_FRAGMENTS) writeonly buffer oit_fragments { OIT_VECTOR oit_data[]; };
 #endif
@@ -109,6 +113,52 @@ uint oit_pixel_index()
     return uint(at.y) * uint(oit_area.z) + uint(at.x);
 }
 
+#if OIT_KEEPS
+// By what the k nearest are chosen, the same in both geometry passes: all bits of the depth, or (Murray 2016, section 4.2)
+// 16 of it and then 16 of the part. Never OIT_NONE.
+uint oit_key(oit_fragment f)
+{
+#if OIT_KEY_BITS == 16
+    uint depth = uint(clamp(gl_FragCoord.z, 0.0, 1.0) * 65534.0);
+#if OIT_REVERSED_Z
+    depth = 65534u - depth;
+#endif
+    return depth << 16u | (f.part & 0xffffu);
+#else
+    return oit_depth_bits();
+#endif
+}
+#endif
+
+#if OIT_KEEPS && OIT_PASS == OIT_COUNT
+// Leaves the k + 1 smallest keys of the pixel in its k + 1 words, in no order. A word only ever gets smaller, and by a
+// swap that fails where another fragment was there before. So when the swap succeeds, all that was read of the other words
+// is still an upper bound of them: the key that goes is the greatest of the k + 2, whatever else is under way, and a key
+// that is not less than all words read is not less than all words are. The smallest k + 1 stay, in any order of arrival.
+// No word ever exceeds the limit once it is set, which spares most fragments the search.
+void oit_select(uint p, uint key)
+{
+    uint place = atomicAdd(oit_pixel[OIT_LEFT(p)], 1u);
+    if (place <= OIT_LAYERS && atomicCompSwap(oit_pixel[OIT_KEY(p, place)], OIT_NONE, key) == OIT_NONE)
+        return;
+    while (key < oit_pixel[OIT_LIMIT(p)]) {
+        uint most = 0u, second = 0u, at = 0u;
+        for (uint i = 0u; i <= OIT_LAYERS; ++i) {
+            uint other = oit_pixel[OIT_KEY(p, i)];
+            second = max(second, min(other, most));
+            at = other >= most ? i : at;
+            most = max(most, other);
+        }
+        if (key >= most)
+            return;
+        if (atomicCompSwap(oit_pixel[OIT_KEY(p, at)], most, key) == most) {
+            atomicMin(oit_pixel[OIT_LIMIT(p)], max(second, key));
+            return;
+        }
+    }
+}
+#endif
+
 #if OIT_PASS == OIT_FILL
 #if OIT_HAS_NORMAL
 // The octahedron unfolded: both coordinates of a direction in 16 bits each. A normal of no length is that toward the eye.
@@ -151,7 +201,7 @@ void oit_write(uint at, oit_fragment f)
         w[OIT_AT_COLOR + i] = floatBitsToUint(color[i]);
 #endif
 #if OIT_HAS_BLEND && OIT_COLOR != OIT_COLOR_8
-    w[OIT_AT_BLEND] = f.blend;
+    w[OIT_AT_BLEND] = f.blend & 255u;
 #endif
 #if OIT_HAS_NORMAL
     w[OIT_AT_NORMAL] = oit_pack_normal(f.normal);
@@ -161,7 +211,7 @@ void oit_write(uint at, oit_fragment f)
     w[OIT_AT_UV + 1] = floatBitsToUint(f.uv.y);
 #endif
 #if OIT_HAS_COVERAGE
-    w[OIT_AT_COVERAGE] = oit_coverage();
+    w[OIT_AT_COVERAGE] |= oit_coverage() << uint(OIT_COVERAGE_SHIFT);
 #endif
 #if OIT_HOST_WORDS > 0
     for (int i = 0; i < OIT_HOST_WORDS; ++i)
@@ -175,17 +225,16 @@ void oit_write(uint at, oit_fragment f)
 #endif
 }
 
-#if OIT_ASYNC
+#if OIT_ASYNC || OIT_KEEPS
 // The tail: sums that do not depend on the order, in integers so that rounding does not either. The layers of a pixel are
-// taken as mixed evenly: optical depths add, colours are weighted by them. Bits are shared out by the count of the
-// pixel, so that no sum overflows: colours up to 4 and optical depths up to 11 make less than 64 a fragment.
-void oit_to_tail(uint p, uint count, oit_fragment f)
+// taken as mixed evenly: optical depths add, colours are weighted by them. Colours up to 4 and optical depths up to 11 make
+// less than 64 a fragment.
+vec4 oit_tail_parts(oit_fragment f)
 {
     vec4 color = oit_finite(f.color);
 #if OIT_HAS_COVERAGE // the tail knows no samples: a fragment is as much thinner as it covers less of the pixel
     color *= vec4(vec3(OIT_PREMULTIPLIED == 1 ? OIT_SHARE(oit_coverage()) : 1.0), OIT_SHARE(oit_coverage()));
 #endif
-    float scale = exp2(float(26 - findMSB(count) - 1));
     float thickness = min(-log(1.0 - min(color.a, 0.999999)), 11.0);
     vec3 c = clamp(color.rgb, 0.0, 4.0);
 #if OIT_PREMULTIPLIED
@@ -204,12 +253,33 @@ void oit_to_tail(uint p, uint count, oit_fragment f)
         weight = 0.0;
     }
 #endif
-    uvec4 parts = uvec4(vec4(c * weight, thickness) * scale + 0.5);
+    return vec4(c * weight, thickness);
+}
+
+#if OIT_KEEPS
+// In units of 2^-26, with 16 more bits by carries: how many there are follows from the sum alone. A fragment makes less
+// than one, so that 65,535 fragments do not overflow.
+void oit_to_tail(uint p, oit_fragment f)
+{
+    uvec4 parts = uvec4(oit_tail_parts(f) * 67108864.0 + 0.5);
+    for (uint c = 0u; c < 4u; ++c) {
+        uint before = atomicAdd(oit_pixel[OIT_TAIL(p) + c], parts[c]);
+        if (before > 0xffffffffu - parts[c])
+            atomicAdd(oit_pixel[OIT_TAIL(p) + 4u + (c >> 1u)], 1u << (16u * (c & 1u)));
+    }
+}
+#else
+// Bits are shared out by the count of the pixel, so that no sum overflows.
+void oit_to_tail(uint p, uint count, oit_fragment f)
+{
+    float scale = exp2(float(26 - findMSB(count) - 1));
+    uvec4 parts = uvec4(oit_tail_parts(f) * scale + 0.5);
     atomicAdd(oit_pixel[OIT_TAIL(p)], parts.r);
     atomicAdd(oit_pixel[OIT_TAIL(p) + 1u], parts.g);
     atomicAdd(oit_pixel[OIT_TAIL(p) + 2u], parts.b);
     atomicAdd(oit_pixel[OIT_TAIL(p) + 3u], parts.a);
 }
+#endif
 #endif
 #endif
 
@@ -222,9 +292,17 @@ void oit_store(oit_fragment f)
     if (oit_coverage() != oit_samples.x)
         oit_pixel[OIT_EDGE(p)] = 1u;
 #endif
-#if OIT_PASS == OIT_COUNT
+#if OIT_KEEPS && OIT_PASS == OIT_COUNT
+    oit_select(p, oit_key(f));
+#elif OIT_PASS == OIT_COUNT
     atomicAdd(oit_pixel[OIT_LEFT(p)], 1u);
 #else
+#if OIT_KEEPS
+    if (oit_key(f) >= oit_pixel[OIT_LIMIT(p)]) {
+        oit_to_tail(p, f);
+        return;
+    }
+#endif
     uint left = atomicAdd(oit_pixel[OIT_LEFT(p)], 0xffffffffu);
 #if OIT_ASYNC
     if (left >> 30u == 1u) { // OIT_UNFIT, and not what wraps below 0

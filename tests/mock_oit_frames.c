@@ -84,11 +84,29 @@ static uint32_t create(int kind) {
     return ++driver.next_name;
 }
 
+static const char *line_start(const char *source, const char *at) {
+    while (at > source && at[-1] != '\n')
+        --at;
+    return at;
+}
+
+/* Whether a declaration is left out because what "#ifdef" in the line before it asks for is not defined. */
+static bool is_left_out(const char *source, const char *at) {
+    char name[64], definition[80];
+    const char *line = line_start(source, at);
+    if (line == source || sscanf(line_start(source, line - 1), "#ifdef %63s", name) != 1)
+        return false;
+    snprintf(definition, sizeof definition, "#define %s", name);
+    return !strstr(source, definition);
+}
+
 /* How a program uses the storage buffer of that binding: by the qualifiers of its declaration. */
 static int uses_of(const char *source, const char *binding) {
     char pattern[64];
     snprintf(pattern, sizeof pattern, "binding = %s)", binding);
     const char *at = strstr(source, pattern);
+    while (at && is_left_out(source, at))
+        at = strstr(at + 1, pattern);
     if (!at)
         return 0;
     at += strlen(pattern);
