@@ -9,8 +9,9 @@ layout(std140, binding = OIT_UNIFORM_BINDING) uniform oit_frame
     highp uvec4 oit_above; // what is not deeper than this is left to the program before: of up to 8, 16, 32, 64
     highp vec4 oit_light;  // xyz: toward the light, unit length; zero: no shading. w: weight of the background
     highp vec4 oit_output; // x: transmittance below which the depth of the composite is taken
-    highp uvec4 oit_samples;      // x: a bit for each sample of the target
-    highp vec4 oit_positions[4];  // of two samples each, from the middle of the pixel
+    highp ivec4 oit_part;          // x, y of the corner in the target, width and height of what is filled and composed now
+    highp uvec4 oit_samples;       // x: a bit for each sample of the target
+    highp vec4 oit_positions[4];   // of two samples each, from the middle of the pixel
 };
 
 // The pixel buffer: 16 words of totals, then two words a pixel (where its run starts; how many fragments are still to
@@ -45,6 +46,10 @@ layout(std140, binding = OIT_UNIFORM_BINDING) uniform oit_frame
 
 // With what is to come of a pixel whose run does not fit. A pixel has less than 2^30 fragments.
 #define OIT_UNFIT 0x40000000u
+
+// Mesa 22's software driver lets multisampled fragments pass beyond the scissor box, by one pixel to the left and below.
+#define OIT_OUTSIDE (any(lessThan(ivec2(gl_FragCoord.xy), oit_part.xy)) || \
+                     any(greaterThanEqual(ivec2(gl_FragCoord.xy), oit_part.xy + oit_part.zw)))
 
 // The part of a pixel that some of its samples are.
 #define OIT_SHARE(covered) (float(bitCount(covered)) / float(max(bitCount(oit_samples.x), 1)))
