@@ -117,7 +117,7 @@ vec3 oit_normal(uint slot)
 }
 #endif
 #if OIT_HAS_PART
-uint oit_part(uint slot)
+uint oit_part_of(uint slot)
 {
     return OIT_WORD(oit_record(slot), OIT_AT_PART);
 }

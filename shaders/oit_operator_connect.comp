@@ -13,7 +13,7 @@
 #define OIT_NORMAL_WEIGHT oit_set[0].y
 #define OIT_PER_RADIUS oit_set[0].z
 #define OIT_LIMIT_APART oit_set[0].w
-const float oit_never = uintBitsToFloat(0x7f800000u);
+#define OIT_NEVER uintBitsToFloat(0x7f800000u) // infinity
 uint oit_pairs = 0u;
 
 struct oit_side // of a pair: the one that looks
@@ -62,18 +62,18 @@ bool oit_may_join(oit_side side, uint at)
 
 float oit_measure_by_depth(oit_side side, uint at, float apart)
 {
-    return apart <= OIT_LIMIT_APART ? OIT_DEPTH_WEIGHT * apart + OIT_NORMAL_WEIGHT * oit_bend(side, at) : oit_never;
+    return apart <= OIT_LIMIT_APART ? OIT_DEPTH_WEIGHT * apart + OIT_NORMAL_WEIGHT * oit_bend(side, at) : OIT_NEVER;
 }
 
 float oit_measure(oit_side side, uint slot)
 {
     uint at = oit_record(slot);
     if (!oit_may_join(side, at))
-        return oit_never;
+        return OIT_NEVER;
 #if OIT_HAS_UV
     if (OIT_STEP.z == OIT_BY_UV) {
         float apart = distance(side.uv, oit_uv(slot));
-        return apart <= OIT_LIMIT_APART ? apart : oit_never;
+        return apart <= OIT_LIMIT_APART ? apart : OIT_NEVER;
     }
 #endif
     if (OIT_STEP.z == OIT_MURRAY) {
@@ -87,7 +87,7 @@ float oit_measure(oit_side side, uint slot)
 uint oit_best_of_all(oit_side side, uint first, uint n, out float least)
 {
     uint best = OIT_NONE;
-    least = oit_never;
+    least = OIT_NEVER;
     for (uint i = 0u; i < n; ++i) {
         float measure = oit_measure(side, first + i);
         best = measure < least ? i : best;
@@ -102,15 +102,15 @@ uint oit_best_of_part(oit_side side, uint first, uint n, out float least)
     uint best = OIT_NONE, low = 0u;
     for (uint high = n; low < high;) { // where its group begins
         uint middle = (low + high) / 2u;
-        if (oit_part(first + oit_surface[OIT_IN_GROUPED + first + middle]) < side.part)
+        if (oit_part_of(first + oit_surface[OIT_IN_GROUPED + first + middle]) < side.part)
             low = middle + 1u;
         else
             high = middle;
     }
-    least = oit_never;
+    least = OIT_NEVER;
     for (; low < n; ++low) {
         uint i = oit_surface[OIT_IN_GROUPED + first + low];
-        if (oit_part(first + i) != side.part)
+        if (oit_part_of(first + i) != side.part)
             break;
         float measure = oit_measure(side, first + i);
         best = measure < least ? i : best;
@@ -121,7 +121,7 @@ uint oit_best_of_part(oit_side side, uint first, uint n, out float least)
 
 float oit_gap(oit_side side, uint first, uint n, uint i)
 {
-    return i < n ? oit_apart(side, oit_record(first + i)) : oit_never;
+    return i < n ? oit_apart(side, oit_record(first + i)) : OIT_NEVER;
 }
 
 // The same, from the predicted depth outward on both sides, the nearer gap first, until the gap alone weighs more than the
@@ -134,14 +134,14 @@ uint oit_best_within(oit_side side, uint first, uint n, inout uint from)
     while (from > 0u && !(oit_distance(oit_depth(first + from - 1u)) < side.predicted))
         --from;
     uint before = from - 1u, behind = from, best = OIT_NONE; // before: beyond n when it has passed 0
-    float gap_before = oit_gap(side, first, n, before), gap_behind = oit_gap(side, first, n, behind), least = oit_never;
+    float gap_before = oit_gap(side, first, n, before), gap_behind = oit_gap(side, first, n, behind), least = OIT_NEVER;
     for (;;) {
         bool back = gap_before < gap_behind;
         float gap = back ? gap_before : gap_behind;
         if (!(gap <= OIT_LIMIT_APART) || OIT_DEPTH_WEIGHT * gap > least || (back ? before : behind) >= n)
             return best;
         uint i = back ? before : behind, at = oit_record(first + i);
-        float measure = oit_may_join(side, at) ? oit_measure_by_depth(side, at, gap) : oit_never;
+        float measure = oit_may_join(side, at) ? oit_measure_by_depth(side, at, gap) : OIT_NEVER;
         if (measure < least || (measure == least && best != OIT_NONE && i < best)) {
             least = measure;
             best = i;

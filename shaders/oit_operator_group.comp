@@ -5,9 +5,9 @@ void oit_operate(uint p)
 {
     uint first, n = oit_list(p, first);
     for (uint i = 0u; i < n; ++i) {
-        uint part = oit_part(first + i), before = 0u;
+        uint part = oit_part_of(first + i), before = 0u;
         for (uint k = 0u; k < n; ++k) {
-            uint other = oit_part(first + k);
+            uint other = oit_part_of(first + k);
             before += other < part || (other == part && k < i) ? 1u : 0u;
         }
         oit_surface[OIT_IN_GROUPED + first + before] = i;

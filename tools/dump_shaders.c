@@ -122,7 +122,7 @@ static bool dump_oit(const char *folder, int choice, oit_desc desc, bool es) {
     bool ok = true;
     desc.uniform_binding = 14;
     oit_i_write_preamble(&desc, es, preamble, sizeof preamble);
-    for (int program = 0; program < OIT_I_PROGRAMS; ++program)
+    for (int program = 0; program < (desc.operators ? OIT_I_PROGRAMS : OIT_I_PROGRAM_SORT); ++program)
         for (int stage = 0; stage < (oit_i_is_compute(program) ? 1 : 2); ++stage) {
             oit_i_source source;
             char name[64];
@@ -146,6 +146,14 @@ static bool dump_all_oit(const char *folder) {
         {.fit = OIT_FIT_ASYNC, .fields = OIT_FIELD_ALL, .color = OIT_COLOR_HALF, .host_words = 3, .reversed_z = 1},
         {.fit = OIT_FIT_ASYNC, .fields = OIT_FIELD_BLEND, .color = OIT_COLOR_FLOAT, .premultiplied = 1},
         {.fit = OIT_FIT_WAIT, .fields = OIT_FIELD_BLEND | OIT_FIELD_KEY},
+        {.operators = OIT_OPERATE_ALL, .fields = OIT_FIELD_PART | OIT_FIELD_NORMAL},
+        {.operators = OIT_OPERATE_ALL,
+         .fields = OIT_FIELD_PART | OIT_FIELD_NORMAL | OIT_FIELD_UV | OIT_FIELD_BLEND,
+         .fit = OIT_FIT_ASYNC,
+         .store = OIT_STORE_BUDGET,
+         .color = OIT_COLOR_HALF,
+         .reversed_z = 1,
+         .premultiplied = 1},
     };
     bool ok = true;
     for (int i = 0; ok && i < (int)(sizeof descs / sizeof descs[0]); ++i)
