@@ -3824,6 +3824,11 @@ static oit_result oit_i_check_limit(const oit_desc *desc, const char *name, int6
 
 #define OIT_I_LEAST_BLOCK ((int64_t)1 << 24)
 
+/* Whether there is a buffer of surfaces at all. */
+static int oit_i_operates(const oit_desc *desc) {
+    return desc->operators != 0 || desc->operator_fields > 0;
+}
+
 /* What a fragment shader knows of samples. Coverage from before the depth test does not do. */
 static oit_result oit_i_find_coverage(oit_context *oit) {
     const oit_i_gl *gl = &oit->gl;
@@ -3859,6 +3864,9 @@ static oit_result oit_i_find_limits(oit_context *oit) {
     /* All of desktop GL that comes as far as this is newer. */
     info->image_atomics = info->version >= 320 || oit_i_has_extension(gl, "GL_OES_shader_image_atomic");
     oit->has_dual = !info->es;
+    if (oit_i_operates(desc) && oit_i_check_limit(desc, "GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS (with operators)",
+                                                  info->fragment_storage_blocks, 3) != OIT_OK)
+        result = OIT_LIMIT_TOO_SMALL;
     if (result == OIT_OK && (desc->fields & OIT_FIELD_COVERAGE))
         result = oit_i_find_coverage(oit);
     return result;
@@ -3912,11 +3920,6 @@ static oit_i_u oit_i_links_of(oit_i_u operators) {
     if (operators & OIT_OPERATE_BUCKETS)
         operators |= OIT_OPERATE_LINKS;
     return operators;
-}
-
-/* Zero operators need no second buffer at all. */
-static int oit_i_operates(const oit_desc *desc) {
-    return desc->operators != 0 || desc->operator_fields > 0;
 }
 
 static const char *oit_i_bad_operators(const oit_desc *desc) {
@@ -4830,11 +4833,14 @@ OIT_I_API oit_context *oit_create(const oit_desc *desc, oit_result *result) {
     *result = OIT_INVALID_ARGUMENT;
     if (!desc)
         return 0;
-    if (oit_i_bad_member(desc)) {
-        oit_i_fail(desc, OIT_INVALID_ARGUMENT, "oit_create", oit_i_bad_member(desc));
+    d = *desc;
+    d.operators = oit_i_links_of(d.operators);
+    if (d.operators & OIT_OPERATE_LINKS)
+        d.fields |= OIT_FIELD_PART | OIT_FIELD_NORMAL;
+    if (oit_i_bad_member(&d)) {
+        oit_i_fail(desc, OIT_INVALID_ARGUMENT, "oit_create", oit_i_bad_member(&d));
         return 0;
     }
-    d = *desc;
     if (!d.alloc_fn) {
         d.alloc_fn = oit_i_default_alloc;
         d.free_fn = oit_i_default_free;
@@ -4846,9 +4852,6 @@ OIT_I_API oit_context *oit_create(const oit_desc *desc, oit_result *result) {
     }
     memset(oit, 0, sizeof *oit);
     oit->desc = d;
-    oit->desc.operators = oit_i_links_of(d.operators);
-    if (oit->desc.operators & OIT_OPERATE_LINKS)
-        oit->desc.fields |= OIT_FIELD_PART | OIT_FIELD_NORMAL;
     *result = oit_i_set_up(oit);
     if (*result != OIT_OK) {
         d.free_fn(oit, d.alloc_user);
@@ -4958,15 +4961,59 @@ static int oit_i_kept_words(const oit_desc *desc) {
     return desc->store == OIT_STORE_BUCKETED ? 3 : 1;
 }
 
+/* Sections of the buffer of the surfaces that the operators of this context need; each of a word a fragment. */
+static int oit_i_has_section(const oit_context *oit, int section, int wide) {
+    oit_i_u operators = oit->desc.operators;
+    switch (section) {
+    case OIT_I_AT_ORDER:
+        return oit_i_operates(&oit->desc);
+    case OIT_I_AT_LINKS:
+        return (operators & OIT_OPERATE_LINKS) != 0;
+    case OIT_I_AT_LINKS_HIGH:
+        return (operators & OIT_OPERATE_LINKS) != 0 && wide;
+    case OIT_I_AT_BASE:
+        return (operators & OIT_OPERATE_LAW) != 0;
+    case OIT_I_AT_SPARE:
+        return (operators & (OIT_OPERATE_SMART | OIT_OPERATE_LOCAL)) != 0;
+    case OIT_I_AT_REACH:
+        return (operators & OIT_OPERATE_SMART) != 0;
+    case OIT_I_AT_KAPPA:
+        return (operators & OIT_OPERATE_CURVATURE) != 0;
+    case OIT_I_AT_BETA:
+    case OIT_I_AT_GAMMA:
+        return (operators & OIT_OPERATE_DIFFUSION) != 0;
+    case OIT_I_AT_SIZES:
+    case OIT_I_AT_SIZES_HIGH:
+        return (operators & OIT_OPERATE_THIN) != 0;
+    case OIT_I_AT_GROUPED:
+        return (operators & OIT_OPERATE_BUCKETS) != 0;
+    default:
+        return section - OIT_I_AT_HOST < oit->desc.operator_fields;
+    }
+}
+
+static int oit_i_section_count(const oit_context *oit, int wide) {
+    int i, count = 0;
+    for (i = 0; i < OIT_I_SECTIONS; ++i)
+        count += oit_i_has_section(oit, i, wide);
+    return count;
+}
+
 #define OIT_I_MAX_LAYERS 1024
 
 /* k: as many as the budget has room for in each pixel of the image. */
 static int oit_i_layers(const oit_context *oit, int64_t pixels) {
-    int64_t each = oit->info.fragment_bytes + 4 * oit_i_kept_words(&oit->desc);
+    int64_t fields = 4 * (int64_t)oit_i_section_count(oit, 1);
+    int64_t each = oit->info.fragment_bytes + 4 * oit_i_kept_words(&oit->desc) + fields;
     int64_t most = oit->desc.layers ? oit->desc.layers : OIT_I_MAX_LAYERS;
     int64_t layers = pixels > 0 ? oit->desc.budget_bytes / each / pixels : 0;
     if (!oit_i_keeps(&oit->desc))
         return 0;
+    if (fields) { /* no slabs: operators need all of the image at once */
+        int64_t widest = fields > oit->info.fragment_bytes ? fields : oit->info.fragment_bytes;
+        int64_t held = (oit->desc.max_block_bytes - 4 * OIT_I_HEADER_WORDS) / widest / (pixels > 0 ? pixels : 1);
+        most = held < most ? held : most;
+    }
     if (most > OIT_I_MAX_LAYERS)
         most = OIT_I_MAX_LAYERS;
     return (int)(layers < most ? layers : most);
@@ -5079,37 +5126,6 @@ static oit_result oit_i_make_buffers(oit_context *oit) {
 
 /* ---- the buffer of the surfaces ---- */
 
-/* Sections of the buffer of the surfaces that the operators of this context need; each of a word a fragment. */
-static int oit_i_has_section(const oit_context *oit, int section) {
-    oit_i_u operators = oit->desc.operators;
-    switch (section) {
-    case OIT_I_AT_ORDER:
-        return 1;
-    case OIT_I_AT_LINKS:
-        return (operators & OIT_OPERATE_LINKS) != 0;
-    case OIT_I_AT_LINKS_HIGH:
-        return (operators & OIT_OPERATE_LINKS) != 0 && oit->wide;
-    case OIT_I_AT_BASE:
-        return (operators & OIT_OPERATE_LAW) != 0;
-    case OIT_I_AT_SPARE:
-        return (operators & (OIT_OPERATE_SMART | OIT_OPERATE_LOCAL)) != 0;
-    case OIT_I_AT_REACH:
-        return (operators & OIT_OPERATE_SMART) != 0;
-    case OIT_I_AT_KAPPA:
-        return (operators & OIT_OPERATE_CURVATURE) != 0;
-    case OIT_I_AT_BETA:
-    case OIT_I_AT_GAMMA:
-        return (operators & OIT_OPERATE_DIFFUSION) != 0;
-    case OIT_I_AT_SIZES:
-    case OIT_I_AT_SIZES_HIGH:
-        return (operators & OIT_OPERATE_THIN) != 0;
-    case OIT_I_AT_GROUPED:
-        return (operators & OIT_OPERATE_BUCKETS) != 0;
-    default:
-        return section - OIT_I_AT_HOST < oit->desc.operator_fields;
-    }
-}
-
 /* The buffer, for as many fragments as the pool holds, and where its sections lie. The target must be borrowed. */
 static oit_result oit_i_make_surfaces(oit_context *oit, const char *function) {
     oit_i_u deepest = oit_i_keeps(&oit->desc)         ? (oit_i_u)oit->layers
@@ -5119,7 +5135,7 @@ static oit_result oit_i_make_surfaces(oit_context *oit, const char *function) {
     int i;
     oit->wide = deepest > 254;
     for (i = 0; i < OIT_I_SECTIONS; ++i) {
-        oit->sections[i] = oit_i_has_section(oit, i) ? (oit_i_u)words : 0;
+        oit->sections[i] = oit_i_has_section(oit, i, oit->wide) ? (oit_i_u)words : 0;
         words += oit->sections[i] ? (int64_t)oit->capacity : 0;
     }
     if (4 * words > oit->desc.max_block_bytes)
