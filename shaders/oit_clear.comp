@@ -9,8 +9,13 @@ void main()
     uint first = block * OIT_BLOCK + gl_LocalInvocationID.x;
     for (uint i = 0u; i < 8u; ++i) {
         uint p = first + 128u * i;
-        if (p < oit_pool.x)
-            oit_pixel[OIT_LEFT(p)] = 0u;
+        if (p >= oit_pool.x)
+            continue;
+        oit_pixel[OIT_WANTED(p)] = 0u;
+#if OIT_STORE == OIT_PREDICT && OIT_ASYNC
+        for (uint c = 0u; c < uint(OIT_TAIL_WORDS); ++c)
+            oit_pixel[OIT_TAIL(p) + c] = 0u;
+#endif
     }
     if (oit_step.x != 0u && first < OIT_HEADER)
         oit_pixel[first] = 0u;

@@ -13,12 +13,24 @@ void main()
     ivec2 where = ivec2(gl_FragCoord.xy) - oit_area.xy;
     uint p = uint(where.y) * uint(oit_area.z) + uint(where.x);
     uint start = oit_pixel[OIT_START(p)], end = oit_pixel[OIT_START(p + 1u)];
+#if OIT_STORE == OIT_PREDICT
+    int left = OIT_TRUE_LEFT(oit_pixel[OIT_LEFT(p)]);
+    if ((end <= oit_pool.z && left >= 0) || int(end - start) == left)
+        discard;
+#else
     if (end <= oit_pool.z || end == start)
         discard;
-    float unit = exp2(float(findMSB(end - start) - 25));
+#endif
     uint at = OIT_TAIL(p);
-    vec3 light = vec3(uvec3(oit_pixel[at], oit_pixel[at + 1u], oit_pixel[at + 2u])) * unit;
-    float thickness = float(oit_pixel[at + 3u]) * unit;
+    vec4 sums = vec4(uvec4(oit_pixel[at], oit_pixel[at + 1u], oit_pixel[at + 2u], oit_pixel[at + 3u]));
+#if OIT_TAIL_WORDS == 6
+    uvec2 carries = uvec2(oit_pixel[at + 4u], oit_pixel[at + 5u]);
+    sums = sums * exp2(-24.0) + 256.0 * vec4(uvec4(carries.x & 0xffffu, carries.x >> 16u, carries.y & 0xffffu, carries.y >> 16u));
+#else
+    sums *= exp2(float(findMSB(end - start) - 25));
+#endif
+    vec3 light = sums.rgb;
+    float thickness = sums.a;
     float through = exp(-thickness);
     // (1 - e^-t) / t, whose quotient loses its digits near 0.
     vec3 sum = light * (thickness > 1.0e-3 ? (1.0 - through) / thickness : 1.0 - 0.5 * thickness);
