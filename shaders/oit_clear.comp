@@ -11,12 +11,19 @@ void main()
         uint p = first + 128u * i;
         if (p >= oit_pool.x)
             continue;
+#if OIT_STORE == OIT_LINKED
+        oit_pixel[OIT_HEAD(p)] = 0u;
+        if (OIT_AGAIN)
+            continue;
+#endif
         oit_pixel[OIT_WANTED(p)] = 0u;
-#if OIT_STORE == OIT_PREDICT && OIT_ASYNC
+#if OIT_STORE != OIT_EXACT && OIT_ASYNC
         for (uint c = 0u; c < uint(OIT_TAIL_WORDS); ++c)
             oit_pixel[OIT_TAIL(p) + c] = 0u;
 #endif
     }
-    if (oit_step.x != 0u && first < OIT_HEADER)
+    if (oit_step.x != 0u && first < OIT_HEADER && !OIT_AGAIN)
+        oit_pixel[first] = 0u;
+    if (first == OIT_TAKEN)
         oit_pixel[first] = 0u;
 }

@@ -3,7 +3,7 @@
 #ifndef OIT_SETTLES
 layout(std430, binding = OIT_BINDING_PIXELS) readonly buffer oit_pixels { uint oit_pixel[]; };
 #endif
-layout(std430, binding = OIT_BINDING_FRAGMENTS) readonly buffer oit_fragments { OIT_VECTOR oit_data[]; };
+layout(std430, binding = OIT_BINDING_RECORDS) readonly buffer oit_fragments { OIT_VECTOR oit_data[]; };
 
 #define OIT_NONE 0xffffffffu
 
@@ -42,7 +42,7 @@ uvec4 oit_record_words(uint at)
 #endif
 }
 
-#ifdef OIT_SETTLES
+#if defined(OIT_SETTLES) && OIT_ASYNC
 // What the record adds to the tail.
 vec4 oit_record_amounts(uint at)
 {
