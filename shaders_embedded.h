@@ -1159,6 +1159,27 @@ static const char *const shaders_i_shader_oit_depth_frag[] = {
     "    discard;\n"
     "}\n",
     0};
+static const char *const shaders_i_shader_oit_fetch_glsl[] = {
+    "#line 1\n"
+    "// For: oit_buffers.h\n"
+    "// OIT_STORE_FETCH: the nearest layers of a pass, held in the attachments and changed in place by the fragments of a pixel, one\n"
+    "// after the other as they are drawn.\n"
+    "layout(location = 0) inout highp uvec4 oit_layer_0;\n"
+    "layout(location = 1) inout highp uvec4 oit_layer_1;\n"
+    "layout(location = 2) inout highp uvec4 oit_layer_2;\n"
+    "#if OIT_FETCHED == 7\n"
+    "layout(location = 3) inout highp uvec4 oit_layer_3;\n"
+    "layout(location = 4) inout highp uvec4 oit_layer_4;\n"
+    "layout(location = 5) inout highp uvec4 oit_layer_5;\n"
+    "layout(location = 6) inout highp uvec4 oit_layer_6;\n"
+    "#define OIT_EACH_LAYER(X) \\\n"
+    "    X(oit_layer_0) X(oit_layer_1) X(oit_layer_2) X(oit_layer_3) X(oit_layer_4) X(oit_layer_5) X(oit_layer_6)\n"
+    "#else\n"
+    "#define OIT_EACH_LAYER(X) X(oit_layer_0) X(oit_layer_1) X(oit_layer_2)\n"
+    "#endif\n"
+    "// How many were like the last one that was composed; how many there were.\n"
+    "layout(location = OIT_FETCHED) inout highp uvec2 oit_seen;\n",
+    0};
 static const char *const shaders_i_shader_oit_frame_block_glsl[] = {
     "#line 1\n"
     "// For: oit_buffers.h\n"
@@ -1169,7 +1190,7 @@ static const char *const shaders_i_shader_oit_frame_block_glsl[] = {
     "    highp uvec4 oit_pool;  // x: pixels of the slab, y: first fragment of the band, z: capacity, w: blocks of the scan\n"
     "    highp uvec4 oit_step;  // x: 1 with the first slab of a frame, y: what is deeper is left to the program for all depths,\n"
     "                           // w: k of the stores that keep the k nearest; of others 1 where the fragments are stored before\n"
-    "                           // they are counted, 2 where they are stored again\n"
+    "                           // they are counted, 2 where they are stored again; of fetch how many passes there are, if known\n"
     "    highp uvec4 oit_above; // what is not deeper than this is left to the program before: of up to 8, 16, 32, 64\n"
     "    highp vec4 oit_light;  // xyz: toward the light, unit length; zero: no shading. w: weight of the background\n"
     "    highp vec4 oit_output; // x: transmittance below which the depth of the composite is taken\n"
@@ -1208,6 +1229,10 @@ static const char *const shaders_i_shader_oit_frame_block_glsl[] = {
     "#define OIT_DIRECT (OIT_KEEPS == 0 && oit_step.w == 1u)\n"
     "#define OIT_AGAIN (OIT_KEEPS == 0 && oit_step.w == 2u)\n"
     "\n"
+    "// OIT_STORE_FETCH: eleven words a pixel: the last record that was composed and how many were like it; light and transmittance\n"
+    "// of what was.\n"
+    "#define OIT_LAID(p) (OIT_MORE + 11u * (p))\n"
+    "\n"
     "// OIT_STORE_LINKED: one more than the place of the pixel's last record; 0: none.\n"
     "#define OIT_HEAD(p) OIT_OWN(p)\n"
     "\n"
@@ -1221,13 +1246,13 @@ static const char *const shaders_i_shader_oit_frame_block_glsl[] = {
     "#endif\n"
     "#define OIT_NONE 0xffffffffu\n"
     "\n"
-    "// With OIT_HAS_COVERAGE one word a pixel follows: 1 where a fragment covers not all of its samples.\n"
+    "// With OIT_HAS_COVERAGE one word a pixel follows: 1 where a fragment covers not all of its samples.\n",
+    "#line 66\n"
     "#define OIT_EDGE(p) (OIT_TAIL(oit_pool.x * uint(OIT_ASYNC)) + (p))\n"
     "\n"
     "// With what is to come of a pixel whose run does not fit. A pixel has less than 2^30 fragments.\n"
     "#define OIT_UNFIT 0x40000000u\n"
-    "// How many places are left, without that; negative: so many came too much.\n",
-    "#line 67\n"
+    "// How many places are left, without that; negative: so many came too much.\n"
     "#define OIT_TRUE_LEFT(left) (int(left) - (OIT_ASYNC == 1 && int(left) >= 0x20000000 ? 0x40000000 : 0))\n"
     "\n"
     "// The part of a pixel that some of its samples are.\n"
@@ -1355,6 +1380,103 @@ static const char *const shaders_i_shader_oit_keep_comp[] = {
     "        atomicAdd(oit_pixel[OIT_LOST_PIXELS], oit_all[2]);\n"
     "        atomicAdd(oit_pixel[OIT_LOST], oit_all[3]);\n"
     "    }\n"
+    "}\n",
+    0};
+static const char *const shaders_i_shader_oit_laid_frag[] = {
+    "#line 1\n"
+    "// For: oit_buffers.h\n"
+    "// OIT_STORE_FETCH: what has come of all layers, over the target.\n"
+    "#if OIT_MODE == OIT_MODE_DUAL\n"
+    "layout(location = 0, index = 0) out highp vec4 oit_out;\n"
+    "layout(location = 0, index = 1) out highp vec4 oit_keep;\n"
+    "#else\n"
+    "layout(location = 0) out highp vec4 oit_out;\n"
+    "#endif\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    ivec2 where = ivec2(gl_FragCoord.xy) - oit_area.xy;\n"
+    "    uint p = uint(where.y) * uint(oit_area.z) + uint(where.x), at = OIT_LAID(p) + 5u;\n"
+    "    if (oit_pixel[OIT_LEFT(p)] == 0u)\n"
+    "        discard;\n"
+    "    vec3 sum = uintBitsToFloat(uvec3(oit_pixel[at], oit_pixel[at + 1u], oit_pixel[at + 2u]));\n"
+    "    vec3 through = uintBitsToFloat(uvec3(oit_pixel[at + 3u], oit_pixel[at + 4u], oit_pixel[at + 5u]));\n"
+    "#if OIT_MODE == OIT_MODE_DUAL\n"
+    "    oit_out = vec4(sum, 0.0);\n"
+    "    oit_keep = vec4(oit_light.w * through, 0.0);\n"
+    "#elif OIT_MODE == OIT_MODE_FILTER\n"
+    "    oit_out = vec4(oit_light.w * through, 0.0);\n"
+    "#elif OIT_MODE == OIT_MODE_LIGHT\n"
+    "    oit_out = vec4(sum, 0.0);\n"
+    "#else\n"
+    "    oit_out = vec4(sum, oit_light.w * through.r);\n"
+    "#endif\n"
+    "}\n",
+    0};
+static const char *const shaders_i_shader_oit_lay_frag[] = {
+    "#line 1\n"
+    "// For: oit_buffers.h\n"
+    "// OIT_STORE_FETCH, after a geometry pass: the layers that it left, laid behind those of the passes before, and taken away for\n"
+    "// the next. With OIT_FIRST, before the first: nothing laid yet.\n"
+    "#if OIT_FIRST == 0\n"
+    "void oit_lay_next(uvec4 layer, inout uvec4 last, inout uint copies)\n"
+    "{\n"
+    "    if (layer.x == OIT_NONE)\n"
+    "        return;\n"
+    "    copies = layer == last ? copies + 1u : 1u;\n"
+    "    last = layer;\n"
+    "    oit_lay(layer, uvec4(0u));\n"
+    "}\n"
+    "\n"
+    "void oit_count_lost(uint p, uint count)\n"
+    "{\n"
+    "    uint most = oit_step.w * uint(OIT_FETCHED);\n"
+    "    oit_pixel[OIT_LEFT(p)] = count;\n"
+    "    if (most == 0u || count <= most)\n"
+    "        return;\n"
+    "    atomicAdd(oit_pixel[OIT_LOST_PIXELS], 1u);\n"
+    "    atomicAdd(oit_pixel[OIT_LOST], count - most);\n"
+    "}\n"
+    "#endif\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    ivec2 where = ivec2(gl_FragCoord.xy) - oit_area.xy;\n"
+    "    uint p = uint(where.y) * uint(oit_area.z) + uint(where.x), at = OIT_LAID(p);\n"
+    "#if OIT_FIRST\n"
+    "    for (uint i = 0u; i < 8u; ++i)\n"
+    "        oit_pixel[at + i] = 0u;\n"
+    "    for (uint i = 8u; i < 11u; ++i)\n"
+    "        oit_pixel[at + i] = floatBitsToUint(1.0);\n"
+    "    if (p < OIT_HEADER)\n"
+    "        oit_pixel[p] = 0u;\n"
+    "#else\n"
+    "    uvec4 last = uvec4(oit_pixel[at], oit_pixel[at + 1u], oit_pixel[at + 2u], oit_pixel[at + 3u]);\n"
+    "    uint copies = oit_pixel[at + 4u];\n"
+    "    if (copies == 0u)\n"
+    "        oit_count_lost(p, oit_seen.y);\n"
+    "    for (uint c = 0u; c < 3u; ++c)\n"
+    "        oit_sum[c] = uintBitsToFloat(oit_pixel[at + 5u + c]);\n"
+    "#if OIT_HAS_BLEND\n"
+    "    for (uint c = 0u; c < 3u; ++c)\n"
+    "        oit_through[c] = uintBitsToFloat(oit_pixel[at + 8u + c]);\n"
+    "#else\n"
+    "    oit_through = uintBitsToFloat(oit_pixel[at + 8u]);\n"
+    "#endif\n"
+    "#define OIT_LAY_NEXT(l) oit_lay_next(l, last, copies);\n"
+    "    OIT_EACH_LAYER(OIT_LAY_NEXT)\n"
+    "    for (uint c = 0u; c < 4u; ++c)\n"
+    "        oit_pixel[at + c] = last[c];\n"
+    "    oit_pixel[at + 4u] = copies;\n"
+    "    vec3 through = vec3(oit_through);\n"
+    "    for (uint c = 0u; c < 3u; ++c) {\n"
+    "        oit_pixel[at + 5u + c] = floatBitsToUint(oit_sum[c]);\n"
+    "        oit_pixel[at + 8u + c] = floatBitsToUint(through[c]);\n"
+    "    }\n"
+    "#endif\n"
+    "#define OIT_TAKE_AWAY(l) l = uvec4(OIT_NONE);\n"
+    "    OIT_EACH_LAYER(OIT_TAKE_AWAY)\n"
+    "    oit_seen = uvec2(0u);\n"
     "}\n",
     0};
 static const char *const shaders_i_shader_oit_ordered_glsl[] = {
@@ -1734,7 +1856,7 @@ static const char *const shaders_i_shader_oit_store_glsl[] = {
     "#if OIT_HAS_COVERAGE && OIT_POST_DEPTH\n"
     "layout(post_depth_coverage) in;\n"
     "#endif\n"
-    "#if OIT_PASS == OIT_FILL\n"
+    "#if OIT_PASS == OIT_FILL && OIT_STORE != OIT_FETCH\n"
     "layout(std430, binding = OIT_BINDING_FRAGMENTS) writeonly buffer oit_fragments { OIT_VECTOR oit_data[]; };\n"
     "#endif\n"
     "\n"
@@ -1854,9 +1976,9 @@ static const char *const shaders_i_shader_oit_store_glsl[] = {
     "#endif\n"
     "\n"
     "#if OIT_KEEPS && OIT_PASS == OIT_COUNT\n"
-    "// Leaves the k + 1 smallest keys of the pixel in its k + 1 words, in no order. A word only ever gets smaller, and by a\n"
-    "// swap that fails where another fragment was there before. So when the swap succeeds, all that was read of the other words\n",
-    "#line 131\n"
+    "// Leaves the k + 1 smallest keys of the pixel in its k + 1 words, in no order. A word only ever gets smaller, and by a\n",
+    "#line 130\n"
+    "// swap that fails where another fragment was there before. So when the swap succeeds, all that was read of the other words\n"
     "// is still an upper bound of them: the key that goes is the greatest of the k + 2, whatever else is under way, and a key\n"
     "// that is not less than all words read is not less than all words are. The smallest k + 1 stay, in any order of arrival.\n"
     "// No word ever exceeds the limit once it is set, which spares most fragments the search.\n"
@@ -1942,6 +2064,29 @@ static const char *const shaders_i_shader_oit_store_glsl[] = {
     "#endif\n"
     "}\n"
     "\n"
+    "#if OIT_STORE == OIT_FETCH\n"
+    "bool oit_before(uvec4 a, uvec4 b)\n"
+    "{\n"
+    "    return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z != b.z ? a.z < b.z : a.w < b.w;\n"
+    "}\n"
+    "\n"
+    "// Into the layers of this pass, nearest first; what falls out is for a later pass. What has been composed is passed over:\n"
+    "// all that comes before the last record that was, and of those like it, which no one can tell apart, as many as were.\n"
+    "void oit_put(uint p, uvec4 r)\n"
+    "{\n"
+    "    uint at = OIT_LAID(p), copies = oit_pixel[at + 4u];\n"
+    "    uvec4 last = uvec4(oit_pixel[at], oit_pixel[at + 1u], oit_pixel[at + 2u], oit_pixel[at + 3u]);\n"
+    "    oit_seen.y += 1u;\n"
+    "    if (copies > 0u && !oit_before(last, r)) {\n"
+    "        oit_seen.x += r == last ? 1u : 0u;\n"
+    "        if (r != last || oit_seen.x <= copies)\n"
+    "            return;\n"
+    "    }\n",
+    "#line 234\n"
+    "#define OIT_EXCHANGE(l) if (oit_before(r, l)) { uvec4 kept = l; l = r; r = kept; }\n"
+    "    OIT_EACH_LAYER(OIT_EXCHANGE)\n"
+    "}\n"
+    "#else\n"
     "void oit_write(uint at, uint w[OIT_VECTORS * OIT_LANES])\n"
     "{\n"
     "    for (int i = 0; i < OIT_VECTORS; ++i)\n"
@@ -1951,8 +2096,9 @@ static const char *const shaders_i_shader_oit_store_glsl[] = {
     "        oit_data[at + uint(i)] = uvec2(w[2 * i], w[2 * i + 1]);\n"
     "#endif\n"
     "}\n"
+    "#endif\n"
     "\n"
-    "#if OIT_ASYNC || OIT_KEEPS\n"
+    "#if (OIT_ASYNC || OIT_KEEPS) && OIT_STORE != OIT_FETCH\n"
     "#if OIT_HAS_COVERAGE\n"
     "#define OIT_COVERED_NOW oit_coverage()\n"
     "#else\n"
@@ -1973,8 +2119,7 @@ static const char *const shaders_i_shader_oit_store_glsl[] = {
     "// With the colour as it would be read back: what is stored of the same pixel is added by others from there.\n"
     "void oit_to_tail(uint p, oit_fragment f, uint w[OIT_VECTORS * OIT_LANES])\n"
     "{\n"
-    "    uvec4 words = uvec4(w[OIT_AT_COLOR], w[OIT_AT_COLOR + 1], 0u, 0u);\n",
-    "#line 248\n"
+    "    uvec4 words = uvec4(w[OIT_AT_COLOR], w[OIT_AT_COLOR + 1], 0u, 0u);\n"
     "#if OIT_COLOR == OIT_COLOR_FLOAT\n"
     "    words.zw = uvec2(w[OIT_AT_COLOR + 2], w[OIT_AT_COLOR + 3]);\n"
     "#endif\n"
@@ -2024,6 +2169,10 @@ static const char *const shaders_i_shader_oit_store_glsl[] = {
     "    oit_select(p, oit_key(f));\n"
     "#elif OIT_PASS == OIT_COUNT\n"
     "    atomicAdd(oit_pixel[OIT_WANTED(p)], 1u);\n"
+    "#elif OIT_STORE == OIT_FETCH\n"
+    "    uint w[4];\n"
+    "    oit_pack(f, w);\n"
+    "    oit_put(p, uvec4(w[0], w[1], w[2], w[3]));\n"
     "#else\n"
     "#if OIT_KEEPS\n"
     "    if (oit_key(f) >= oit_pixel[OIT_LIMIT(p)]) {\n"
@@ -2057,7 +2206,8 @@ static const char *const shaders_i_shader_oit_store_glsl[] = {
     "    // Nothing is written outside of the run, however many fragments come: after as many as were counted, what is left is\n"
     "    // 0, and then wraps to more than any pool holds.\n"
     "    uint w[OIT_VECTORS * OIT_LANES];\n"
-    "    oit_pack(f, w);\n"
+    "    oit_pack(f, w);\n",
+    "#line 358\n"
     "    uint slot = oit_pixel[OIT_START(p)] + left - 1u - oit_pool.y;\n"
     "    if (left - 1u >= oit_pool.z || slot >= oit_pool.z) {\n"
     "#if OIT_STORE != OIT_PREDICT\n"
@@ -3170,10 +3320,13 @@ static const shaders_i_entry shaders_i_table[] = {
     {"oit_compose.frag", shaders_i_shader_oit_compose_frag, 1},
     {"oit_compose.glsl", shaders_i_shader_oit_compose_glsl, 1},
     {"oit_depth.frag", shaders_i_shader_oit_depth_frag, 1},
+    {"oit_fetch.glsl", shaders_i_shader_oit_fetch_glsl, 1},
     {"oit_frame_block.glsl", shaders_i_shader_oit_frame_block_glsl, 2},
     {"oit_fullscreen.vert", shaders_i_shader_oit_fullscreen_vert, 1},
     {"oit_gather.comp", shaders_i_shader_oit_gather_comp, 1},
     {"oit_keep.comp", shaders_i_shader_oit_keep_comp, 1},
+    {"oit_laid.frag", shaders_i_shader_oit_laid_frag, 1},
+    {"oit_lay.frag", shaders_i_shader_oit_lay_frag, 1},
     {"oit_ordered.glsl", shaders_i_shader_oit_ordered_glsl, 1},
     {"oit_pick.comp", shaders_i_shader_oit_pick_comp, 1},
     {"oit_predict.comp", shaders_i_shader_oit_predict_comp, 1},
@@ -3182,7 +3335,7 @@ static const shaders_i_entry shaders_i_table[] = {
     {"oit_scan.glsl", shaders_i_shader_oit_scan_glsl, 1},
     {"oit_settle.comp", shaders_i_shader_oit_settle_comp, 1},
     {"oit_spread.comp", shaders_i_shader_oit_spread_comp, 1},
-    {"oit_store.glsl", shaders_i_shader_oit_store_glsl, 3},
+    {"oit_store.glsl", shaders_i_shader_oit_store_glsl, 4},
     {"oit_sum.comp", shaders_i_shader_oit_sum_comp, 1},
     {"oit_surface.frag", shaders_i_shader_oit_surface_frag, 1},
     {"oit_surface.vert", shaders_i_shader_oit_surface_vert, 1},

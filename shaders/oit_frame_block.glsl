@@ -6,7 +6,7 @@ layout(std140, binding = OIT_UNIFORM_BINDING) uniform oit_frame
     highp uvec4 oit_pool;  // x: pixels of the slab, y: first fragment of the band, z: capacity, w: blocks of the scan
     highp uvec4 oit_step;  // x: 1 with the first slab of a frame, y: what is deeper is left to the program for all depths,
                            // w: k of the stores that keep the k nearest; of others 1 where the fragments are stored before
-                           // they are counted, 2 where they are stored again
+                           // they are counted, 2 where they are stored again; of fetch how many passes there are, if known
     highp uvec4 oit_above; // what is not deeper than this is left to the program before: of up to 8, 16, 32, 64
     highp vec4 oit_light;  // xyz: toward the light, unit length; zero: no shading. w: weight of the background
     highp vec4 oit_output; // x: transmittance below which the depth of the composite is taken
@@ -44,6 +44,10 @@ layout(std140, binding = OIT_UNIFORM_BINDING) uniform oit_frame
 #endif
 #define OIT_DIRECT (OIT_KEEPS == 0 && oit_step.w == 1u)
 #define OIT_AGAIN (OIT_KEEPS == 0 && oit_step.w == 2u)
+
+// OIT_STORE_FETCH: eleven words a pixel: the last record that was composed and how many were like it; light and transmittance
+// of what was.
+#define OIT_LAID(p) (OIT_MORE + 11u * (p))
 
 // OIT_STORE_LINKED: one more than the place of the pixel's last record; 0: none.
 #define OIT_HEAD(p) OIT_OWN(p)

@@ -135,7 +135,7 @@ static bool dump_oit(const char *folder, int choice, oit_desc desc, bool es) {
     for (int fill = 0; fill < 2; ++fill) {
         oit_i_source source;
         char name[64];
-        oit_i_host_source(&source, OIT_FRAGMENT, fill, es, preamble);
+        oit_i_host_source(&source, OIT_FRAGMENT, fill, &desc, es, preamble);
         snprintf(name, sizeof name, "oit_host_%d_%d%s", fill, choice, es ? "_310es" : "_430");
         ok = ok && dump_oit_stage(folder, name, "frag", &source, "void main()\n{\n    oit_store(vec4(0.5));\n}\n");
     }
