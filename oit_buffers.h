@@ -662,6 +662,19 @@ static const char *const oit_i_shader_oit_color_glsl[] = {
     "#else\n"
     "    return uintBitsToFloat(w);\n"
     "#endif\n"
+    "}\n"
+    "\n"
+    "// Word i of a record whose first eight are r and q.\n"
+    "#define OIT_SORTED_WORD(i) ((i) < 4 ? r[(i) & 3] : q[(i) & 3])\n"
+    "\n"
+    "uvec4 oit_color_words(uvec4 r, uvec4 q)\n"
+    "{\n"
+    "    uvec4 w = uvec4(OIT_SORTED_WORD(OIT_AT_COLOR), OIT_SORTED_WORD(OIT_AT_COLOR + 1), 0u, 0u);\n"
+    "#if OIT_COLOR == OIT_COLOR_FLOAT\n"
+    "    w.z = OIT_SORTED_WORD(OIT_AT_COLOR + 2);\n"
+    "    w.w = OIT_SORTED_WORD(OIT_AT_COLOR + 3);\n"
+    "#endif\n"
+    "    return w;\n"
     "}\n",
     0};
 static const char *const oit_i_shader_oit_compose_frag[] = {
@@ -809,12 +822,14 @@ static const char *const oit_i_shader_oit_compose_glsl[] = {
     "    oit_through *= 1.0 - color.a;\n"
     "}\n"
     "\n"
+    "#if OIT_STORE != OIT_FETCH\n"
     "void oit_lay(uint at)\n"
     "{\n"
     "    uvec4 r, q;\n"
     "    oit_load(at, r, q);\n"
     "    oit_lay(r, q);\n"
     "}\n"
+    "#endif\n"
     "\n"
     "#if OIT_DEEP\n"
     "// Behind what is opaque all weights are zero, so that to stop there changes no bit.\n"
@@ -1375,7 +1390,6 @@ static const char *const oit_i_shader_oit_record_glsl[] = {
     "\n"
     "// The words by which records are sorted and composed: the first OIT_SORTED of them, depth to colour and blend, in two\n"
     "// vectors; zeros after them. What a record carries beyond cannot be seen in the picture.\n"
-    "#define OIT_SORTED_WORD(i) ((i) < 4 ? r[(i) & 3] : q[(i) & 3])\n"
     "void oit_load(uint at, out uvec4 r, out uvec4 q)\n"
     "{\n"
     "    q = uvec4(0u);\n"
@@ -1405,16 +1419,6 @@ static const char *const oit_i_shader_oit_record_glsl[] = {
     "#if OIT_SORTED < 8\n"
     "    q.w = 0u;\n"
     "#endif\n"
-    "}\n"
-    "\n"
-    "uvec4 oit_color_words(uvec4 r, uvec4 q)\n"
-    "{\n"
-    "    uvec4 w = uvec4(OIT_SORTED_WORD(OIT_AT_COLOR), OIT_SORTED_WORD(OIT_AT_COLOR + 1), 0u, 0u);\n"
-    "#if OIT_COLOR == OIT_COLOR_FLOAT\n"
-    "    w.z = OIT_SORTED_WORD(OIT_AT_COLOR + 2);\n"
-    "    w.w = OIT_SORTED_WORD(OIT_AT_COLOR + 3);\n"
-    "#endif\n"
-    "    return w;\n"
     "}\n"
     "\n"
     "#if defined(OIT_SETTLES) && OIT_ASYNC\n"
@@ -2662,11 +2666,11 @@ struct oit_context {
     oit_i_step step;
     oit_result failure; /* of this frame */
     int rows, slab_y, slab_rows;
-    int layers;              /* k of the stores that keep the k nearest; 0 for the others */
-    int part[4];             /* x, y, width, height of the band within the slab */
-    oit_i_u part_start;      /* its first fragment */
-    oit_i_u needed, deepest; /* of the slab; OIT_FIT_WAIT */
-    int compose_index;
+    int layers;                  /* k of the stores that keep the k nearest; 0 for the others */
+    int part[4];                 /* x, y, width, height of the band within the slab */
+    oit_i_u part_start;          /* its first fragment */
+    oit_i_u needed, deepest;     /* of the slab; OIT_FIT_WAIT */
+    int compose_index, composes; /* the next draw; whether one was drawn of this part */
     oit_i_u bands;
     int in_frame, saved_state;
     oit_i_pick_slot picks[OIT_MAX_PICKS];
@@ -3695,7 +3699,6 @@ static void oit_i_lay_source(oit_i_source *source, int program) {
     oit_i_add_chunks(source, oit_i_shader_oit_frame_block_glsl);
     oit_i_add_chunks(source, oit_i_shader_oit_color_glsl);
     oit_i_add_chunks(source, oit_i_shader_oit_tail_glsl);
-    oit_i_add_chunks(source, oit_i_shader_oit_record_glsl);
     oit_i_add_chunks(source, oit_i_shader_oit_compose_glsl);
     oit_i_add_chunks(source, oit_i_shader_oit_fetch_glsl);
     oit_i_add_chunks(source, oit_i_shader_oit_lay_frag);
@@ -4871,7 +4874,7 @@ static void oit_i_fill_pass(const oit_context *oit, oit_pass_kind kind, oit_pass
     memset(pass, 0, sizeof *pass);
     pass->kind = kind;
     pass->name = oit_pass_kind_name(kind);
-    if (!compose || oit->compose_index == 0)
+    if (!compose || !oit->composes) /* once before the first that is drawn */
         pass->barriers = oit_i_barrier_before(kind);
     state->program = oit->programs[oit_i_program_of(oit, kind)];
     for (i = 0; i < 2; ++i)
@@ -5301,6 +5304,7 @@ static void oit_i_skip_steps(oit_context *oit) {
 static void oit_i_start_composing(oit_context *oit) {
     oit->step = OIT_I_STEP_PICK;
     oit->compose_index = 0;
+    oit->composes = 0;
 }
 
 /* After the last draw of a part. */
@@ -5352,6 +5356,7 @@ static void oit_i_advance(oit_context *oit) {
         oit->picks[oit->pick].frame = oit->frame_number;
     } else if (oit->step == OIT_I_STEP_COMPOSE) {
         ++oit->compose_index;
+        oit->composes = 1;
     } else if (oit->step == OIT_I_STEP_DEPTH) {
         oit->step = OIT_I_STEP_COMPOSED;
     } else if (oit->step == OIT_I_STEP_REPORT) {

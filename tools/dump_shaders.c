@@ -122,6 +122,8 @@ static bool dump_oit(const char *folder, int choice, oit_desc desc, bool es) {
     bool ok = true;
     desc.uniform_binding = 14;
     oit_i_write_preamble(&desc, es, preamble, sizeof preamble);
+    if (desc.store == OIT_STORE_FETCH) /* which oit_create finds out */
+        strcat(preamble, "#define OIT_FETCHED 7\n");
     for (int program = 0; program < OIT_I_PROGRAMS; ++program)
         for (int stage = 0; stage < (oit_i_is_compute(program) ? 1 : 2); ++stage) {
             if (!oit_i_has_program(&desc, program))
@@ -152,6 +154,7 @@ static bool dump_all_oit(const char *folder) {
         {.store = OIT_STORE_PREDICT, .fit = OIT_FIT_ASYNC, .fields = OIT_FIELD_ALL, .premultiplied = 1},
         {.store = OIT_STORE_PREDICT, .fit = OIT_FIT_ASYNC, .color = OIT_COLOR_FLOAT, .host_words = 1},
         {.store = OIT_STORE_LINKED},
+        {.store = OIT_STORE_FETCH, .fields = OIT_FIELD_BLEND},
         {.store = OIT_STORE_LINKED, .fit = OIT_FIT_ASYNC, .fields = OIT_FIELD_ALL, .host_words = 2},
     };
     bool ok = true;
