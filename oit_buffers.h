@@ -735,7 +735,7 @@ static const char *const oit_i_shader_oit_compose_frag[] = {
     "    ivec2 where = ivec2(gl_FragCoord.xy) - oit_area.xy;\n"
     "    uint p = uint(where.y) * uint(oit_area.z) + uint(where.x);\n"
     "#if OIT_HAS_COVERAGE // each sample by itself where they differ, the whole pixel where not\n"
-    "    if ((oit_pixel[OIT_EDGE(p)] != 0u) != (OIT_COVERED == OIT_BY_SAMPLE))\n"
+    "    if (OIT_OUTSIDE || (oit_pixel[OIT_EDGE(p)] != 0u) != (OIT_COVERED == OIT_BY_SAMPLE))\n"
     "        discard;\n"
     "#endif\n"
     "    uint start = oit_pixel[OIT_START(p)], end = oit_pixel[OIT_START(p + 1u)];\n"
@@ -893,6 +893,10 @@ static const char *const oit_i_shader_oit_depth_frag[] = {
     "\n"
     "void main()\n"
     "{\n"
+    "#if OIT_HAS_COVERAGE\n"
+    "    if (OIT_OUTSIDE)\n"
+    "        discard;\n"
+    "#endif\n"
     "    ivec2 where = ivec2(gl_FragCoord.xy) - oit_area.xy;\n"
     "    uint base, n, at = OIT_NONE;\n"
     "    if (!oit_find_run(uint(where.y) * uint(oit_area.z) + uint(where.x), base, n))\n"
@@ -954,8 +958,9 @@ static const char *const oit_i_shader_oit_frame_block_glsl[] = {
     "    highp uvec4 oit_above; // what is not deeper than this is left to the program before: of up to 8, 16, 32, 64\n"
     "    highp vec4 oit_light;  // xyz: toward the light, unit length; zero: no shading. w: weight of the background\n"
     "    highp vec4 oit_output; // x: transmittance below which the depth of the composite is taken\n"
-    "    highp uvec4 oit_samples;      // x: a bit for each sample of the target\n"
-    "    highp vec4 oit_positions[4];  // of two samples each, from the middle of the pixel\n"
+    "    highp ivec4 oit_part;          // x, y of the corner in the target, width and height of what is filled and composed now\n"
+    "    highp uvec4 oit_samples;       // x: a bit for each sample of the target\n"
+    "    highp vec4 oit_positions[4];   // of two samples each, from the middle of the pixel\n"
     "};\n"
     "\n"
     "// The pixel buffer: 16 words of totals, then two words a pixel (where its run starts; how many fragments are still to\n"
@@ -1014,6 +1019,10 @@ static const char *const oit_i_shader_oit_frame_block_glsl[] = {
     "#define OIT_UNFIT 0x40000000u\n"
     "// How many places are left, without that; negative: so many came too much.\n"
     "#define OIT_TRUE_LEFT(left) (int(left) - (OIT_ASYNC == 1 && int(left) >= 0x20000000 ? 0x40000000 : 0))\n"
+    "\n"
+    "// Mesa 22's software driver lets multisampled fragments pass beyond the scissor box, by one pixel to the left and below.\n"
+    "#define OIT_OUTSIDE (any(lessThan(ivec2(gl_FragCoord.xy), oit_part.xy)) || \\\n"
+    "                     any(greaterThanEqual(ivec2(gl_FragCoord.xy), oit_part.xy + oit_part.zw)))\n"
     "\n"
     "// The part of a pixel that some of its samples are.\n"
     "#define OIT_SHARE(covered) (float(bitCount(covered)) / float(max(bitCount(oit_samples.x), 1)))\n"
@@ -1911,6 +1920,8 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "{\n"
     "    uint p = oit_pixel_index();\n"
     "#if OIT_HAS_COVERAGE\n"
+    "    if (OIT_OUTSIDE)\n"
+    "        return;\n"
     "    if (oit_coverage() != oit_samples.x)\n"
     "        oit_pixel[OIT_EDGE(p)] = 1u;\n"
     "#endif\n"
@@ -2145,6 +2156,10 @@ static const char *const oit_i_shader_oit_tail_frag[] = {
     "\n"
     "void main()\n"
     "{\n"
+    "#if OIT_HAS_COVERAGE\n"
+    "    if (OIT_OUTSIDE)\n"
+    "        discard;\n"
+    "#endif\n"
     "    ivec2 where = ivec2(gl_FragCoord.xy) - oit_area.xy;\n"
     "    uint p = uint(where.y) * uint(oit_area.z) + uint(where.x);\n"
     "    uint start = oit_pixel[OIT_START(p)], end = oit_pixel[OIT_START(p + 1u)];\n"
@@ -2550,6 +2565,7 @@ typedef struct oit_i_block {
     int32_t area[4];
     oit_i_u pool[4], step[4], above[4];
     float light[4], output[4];
+    int32_t part[4];
     oit_i_u samples[4];
     float positions[OIT_MAX_SAMPLES][2];
 } oit_i_block;
@@ -4485,6 +4501,10 @@ static oit_i_block oit_i_make_block(const oit_context *oit) {
     oit_i_unit_vector(block.light, frame->light);
     block.light[3] = weight == 0.0f ? 1.0f : weight < 0.0f ? 0.0f : weight > 1.0f ? 1.0f : weight;
     block.output[0] = oit_i_depth_limit(frame);
+    block.part[0] = frame->x + oit->part[0];
+    block.part[1] = frame->y + oit->slab_y + oit->part[1];
+    block.part[2] = oit->part[2];
+    block.part[3] = oit->part[3];
     block.samples[0] = (1u << (oit->samples > 1 ? oit->samples : 1)) - 1u;
     memcpy(block.positions, oit->positions, sizeof block.positions);
     return block;
@@ -4710,6 +4730,7 @@ OIT_I_API oit_result oit_begin(oit_context *oit, const oit_frame *frame) {
             oit->saved_state = 1;
             result = oit_i_check_target(oit);
         }
+        oit_i_whole_part(oit);
         if (result == OIT_OK)
             result = oit_i_prepare(oit);
         if (result != OIT_OK) {

@@ -10,8 +10,9 @@ layout(std140, binding = OIT_UNIFORM_BINDING) uniform oit_frame
     highp uvec4 oit_above; // what is not deeper than this is left to the program before: of up to 8, 16, 32, 64
     highp vec4 oit_light;  // xyz: toward the light, unit length; zero: no shading. w: weight of the background
     highp vec4 oit_output; // x: transmittance below which the depth of the composite is taken
-    highp uvec4 oit_samples;      // x: a bit for each sample of the target
-    highp vec4 oit_positions[4];  // of two samples each, from the middle of the pixel
+    highp ivec4 oit_part;          // x, y of the corner in the target, width and height of what is filled and composed now
+    highp uvec4 oit_samples;       // x: a bit for each sample of the target
+    highp vec4 oit_positions[4];   // of two samples each, from the middle of the pixel
 };
 
 // The pixel buffer: 16 words of totals, then two words a pixel (where its run starts; how many fragments are still to
@@ -69,6 +70,10 @@ layout(std140, binding = OIT_UNIFORM_BINDING) uniform oit_frame
 #define OIT_UNFIT 0x40000000u
 // How many places are left, without that; negative: so many came too much.
 #define OIT_TRUE_LEFT(left) (int(left) - (OIT_ASYNC == 1 && int(left) >= 0x20000000 ? 0x40000000 : 0))
+
+// Mesa 22's software driver lets multisampled fragments pass beyond the scissor box, by one pixel to the left and below.
+#define OIT_OUTSIDE (any(lessThan(ivec2(gl_FragCoord.xy), oit_part.xy)) || \
+                     any(greaterThanEqual(ivec2(gl_FragCoord.xy), oit_part.xy + oit_part.zw)))
 
 // The part of a pixel that some of its samples are.
 #define OIT_SHARE(covered) (float(bitCount(covered)) / float(max(bitCount(oit_samples.x), 1)))

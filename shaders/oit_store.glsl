@@ -310,6 +310,8 @@ void oit_store(oit_fragment f)
 {
     uint p = oit_pixel_index();
 #if OIT_HAS_COVERAGE
+    if (OIT_OUTSIDE)
+        return;
     if (oit_coverage() != oit_samples.x)
         oit_pixel[OIT_EDGE(p)] = 1u;
 #endif
