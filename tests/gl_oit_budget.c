@@ -664,35 +664,49 @@ static void test_passes_that_differ(void **state) {
 
 /* ---- buckets ---- */
 
-/* Murray 2016, section 4.1, on the CPU: the records of a pixel by part, and where that of each part lie in the table. */
-static void check_buckets(const runs *held, const uint32_t *data, size_t p, uint32_t k) {
-    size_t keys = first_word(held) + 7 * held->pixels + p * (k + 1);
-    size_t table = first_word(held) + (8 + (size_t)k) * held->pixels + 2 * p * k;
-    const uint32_t *order = held->pixel_words + keys, *slots = held->pixel_words + table;
-    uint32_t n = held->counts[p], parts = 0, used = 0;
-    for (uint32_t i = 0; i < n; ++i) {
-        const uint32_t *at = data + order[i] * held->words;
-        assert_true(order[i] >= held->starts[p] && order[i] < held->starts[p] + n);
-        for (uint32_t j = 0; j < i; ++j)
-            assert_true(order[j] != order[i]);
-        bool fresh = i == 0 || data[order[i - 1] * held->words + 1] != at[1];
-        parts += fresh;
-        sorted_words = held->words;
-        if (i > 0) /* by part, and by all words within one */
-            assert_true(fresh ? data[order[i - 1] * held->words + 1] < at[1]
-                              : compare_records(data + order[i - 1] * held->words, at) <= 0);
-        if (!fresh)
-            continue;
-        uint32_t slot = at[1] % k, count = 1;
-        while (slots[2 * slot + 1] != 0 && slots[2 * slot] != at[1])
+/* Murray 2016, section 4.1, on the CPU: parts in ascending order, each into slot part mod k or the next that is free. */
+static void expect_table(const runs *held, size_t p, uint32_t k, uint32_t *parts, uint32_t *counts) {
+    uint32_t n = held->counts[p], done = 0;
+    memset(counts, 0, k * sizeof *counts);
+    for (uint32_t least = 0; done < n; ++least) {
+        uint32_t part = 0xffffffffu, count = 0;
+        for (uint32_t i = 0; i < n; ++i) /* the next part */
+            if (record(held, p, i)[1] >= least && record(held, p, i)[1] < part)
+                part = record(held, p, i)[1];
+        for (uint32_t i = 0; i < n; ++i)
+            count += record(held, p, i)[1] == part;
+        uint32_t slot = part % k;
+        while (counts[slot] > 0)
             slot = (slot + 1) % k;
-        while (i + count < n && data[order[i + count] * held->words + 1] == at[1])
-            ++count;
-        assert_int_equal(slots[2 * slot + 1], i | count << 16);
+        parts[slot] = part;
+        counts[slot] = count;
+        done += count;
+        least = part;
     }
-    for (uint32_t i = 0; i < k; ++i)
-        used += slots[2 * i + 1] != 0;
-    assert_int_equal(used, parts);
+}
+
+/* The table, and the records of each bucket: those of its part, by all their words. */
+static void check_buckets(const runs *held, const uint32_t *data, size_t p, uint32_t k) {
+    const uint32_t *order = held->pixel_words + first_word(held) + 7 * held->pixels + p * (k + 1);
+    const uint32_t *slots = held->pixel_words + first_word(held) + (8 + (size_t)k) * held->pixels + 2 * p * k;
+    uint32_t parts[64], counts[64], next = 0;
+    expect_table(held, p, k, parts, counts);
+    sorted_words = held->words;
+    for (uint32_t slot = 0; slot < k; ++slot) {
+        if (counts[slot] == 0) {
+            assert_int_equal(slots[2 * slot + 1], 0);
+            continue;
+        }
+        assert_int_equal(slots[2 * slot], parts[slot]);
+        assert_int_equal(slots[2 * slot + 1], 0x80000000u | counts[slot] << 16 | next);
+        for (uint32_t i = 0, from = 0; i < counts[slot]; ++i, ++from) {
+            while (record(held, p, from)[1] != parts[slot])
+                ++from;
+            assert_memory_equal(record(held, p, from), data + order[next + i] * held->words, held->words * 4);
+        }
+        next += counts[slot];
+    }
+    assert_int_equal(next, held->counts[p]);
 }
 
 static const char *const asker =
@@ -700,7 +714,7 @@ static const char *const asker =
     "layout(std430, binding = 5) writeonly buffer answers { uvec4 answer[]; };\n"
     "void main() {\n"
     "    uint p = gl_WorkGroupID.x, part = gl_WorkGroupID.y * (gl_WorkGroupID.y < 5u ? 65537u : 1u), first, count;\n"
-    "    bool found = oit_find_bucket(p, part, first, count);\n"
+    "    bool found = oit_find_bucket(p, part, first, count) != 0u;\n"
     "    uint sum = 0u;\n"
     "    for (uint i = first; i < first + count; ++i) {\n"
     "        uint at = oit_bucket_record(p, i) * uint(OIT_VECTORS);\n"
