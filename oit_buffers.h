@@ -189,7 +189,7 @@ typedef enum oit_fit {
 /* How fragments come to lie in the pool. All compose the same layers in the same order. */
 typedef enum oit_store_kind {
     OIT_STORE_EXACT, /* counted, then filled: two geometry passes, runs that fit exactly */
-    OIT_STORE_PREDICT,
+    OIT_STORE_PREDICT, /* one geometry pass: runs as long as the frame before suggests; see DOES and docs/oit_buffers.md */
     OIT_STORE_BUDGET,
     OIT_STORE_LINKED,
     OIT_STORE_BUCKETED,
@@ -235,6 +235,8 @@ typedef struct oit_desc {
     int first_storage_binding; /* three shader storage binding points from here on are ours */
     int uniform_binding;       /* uniform buffer binding point that is ours; 0: 14 */
     oit_store_kind store;
+    int headroom; /* OIT_STORE_PREDICT: places that a pixel gets beyond those that it or a neighbour needed in the frame
+                     before, in sixteenths, rounded up; at most 64; 0: default 2; negative: none */
     int64_t budget_bytes;  /* BUDGET, BUCKETED: for the fragments of the image; 0: 256 MiB */
     int layers;            /* BUDGET, BUCKETED: keep no more of a pixel; 0: as many as the budget has room for */
     int bucket_depth_bits; /* BUCKETED: choose the nearest by so many bits of the depth, 16 or 32; 0: 32 */
@@ -273,6 +275,7 @@ typedef struct oit_frame {
     int x, y, width, height; /* viewport within the target, pixels */
     float background_weight; /* of the target's own content, in [0,1]; 0: default 1; negative: 0 */
     float light[3]; /* built-in surfaces: toward the light, any length, in the space of the normals; zero: not shaded */
+    int cut;        /* 1: the picture has nothing to do with the one before; OIT_STORE_PREDICT counts first */
 } oit_frame;
 
 typedef enum oit_pass_kind {
@@ -284,6 +287,8 @@ typedef enum oit_pass_kind {
     OIT_PASS_REPORT,
     OIT_PASS_FILL, /* the host draws them again */
     OIT_PASS_COMPOSE,
+    OIT_PASS_PREDICT,
+    OIT_PASS_SETTLE,
     OIT_PASS_KEEP,    /* BUDGET, BUCKETED: what is kept of each pixel */
     OIT_PASS_ARRANGE, /* BUCKETED: its fragments by part */
     OIT_PASS_KIND_COUNT
@@ -466,27 +471,25 @@ static const char *const oit_i_shader_oit_arrange_comp[] = {
 static const char *const oit_i_shader_oit_behind_glsl[] = {
     "#line 1\n"
     "// For: oit_buffers.h\n"
-    "// The tail read back: the sums of oit_to_tail, and what layers that are mixed evenly look like.\n"
+    "// The tail read back: the sums of oit_add_to_tail or oit_to_tail, and what layers that are mixed evenly look like.\n"
     "#ifndef OIT_CLASS // not after oit_record.glsl\n"
     "layout(std430, binding = OIT_BINDING_PIXELS) readonly buffer oit_pixels { uint oit_pixel[]; };\n"
     "#endif\n"
+    "#if OIT_TAIL_WORDS > 0\n"
     "\n"
-    "#if OIT_KEEPS\n"
-    "vec4 oit_tail_sums(uint p)\n"
-    "{\n"
-    "    uint at = OIT_TAIL(p);\n"
-    "    uvec4 low = uvec4(oit_pixel[at], oit_pixel[at + 1u], oit_pixel[at + 2u], oit_pixel[at + 3u]);\n"
-    "    uvec4 carries = uvec4(oit_pixel[at + 4u], oit_pixel[at + 4u] >> 16u, oit_pixel[at + 5u], oit_pixel[at + 5u] >> 16u);\n"
-    "    return vec4(low) * (1.0 / 67108864.0) + vec4(carries & 0xffffu) * 64.0;\n"
-    "}\n"
-    "#else\n"
+    "// count: of the fragments, which shares out the bits where there are four words.\n"
     "vec4 oit_tail_sums(uint p, uint count)\n"
     "{\n"
     "    uint at = OIT_TAIL(p);\n"
-    "    float unit = exp2(float(findMSB(count) - 25));\n"
-    "    return vec4(oit_pixel[at], oit_pixel[at + 1u], oit_pixel[at + 2u], oit_pixel[at + 3u]) * unit;\n"
-    "}\n"
+    "    vec4 sums = vec4(uvec4(oit_pixel[at], oit_pixel[at + 1u], oit_pixel[at + 2u], oit_pixel[at + 3u]));\n"
+    "#if OIT_TAIL_WORDS == 6\n"
+    "    uvec2 carries = uvec2(oit_pixel[at + 4u], oit_pixel[at + 5u]);\n"
+    "    uvec4 high = uvec4(carries.x & 0xffffu, carries.x >> 16u, carries.y & 0xffffu, carries.y >> 16u);\n"
+    "    return sums * exp2(-26.0) + 64.0 * vec4(high);\n"
+    "#else\n"
+    "    return sums * exp2(float(findMSB(count) - 25));\n"
     "#endif\n"
+    "}\n"
     "\n"
     "// rgb: the light that comes of them; a: how much is seen through them.\n"
     "vec4 oit_tail_light(vec4 sums)\n"
@@ -494,7 +497,8 @@ static const char *const oit_i_shader_oit_behind_glsl[] = {
     "    float thickness = sums.a, through = exp(-thickness);\n"
     "    // (1 - e^-t) / t, whose quotient loses its digits near 0.\n"
     "    return vec4(sums.rgb * (thickness > 1.0e-3 ? (1.0 - through) / thickness : 1.0 - 0.5 * thickness), through);\n"
-    "}\n",
+    "}\n"
+    "#endif\n",
     0};
 static const char *const oit_i_shader_oit_buckets_glsl[] = {
     "#line 1\n"
@@ -542,24 +546,39 @@ static const char *const oit_i_shader_oit_clear_comp[] = {
     "    uint first = block * OIT_BLOCK + gl_LocalInvocationID.x;\n"
     "    for (uint i = 0u; i < 8u; ++i) {\n"
     "        uint p = first + 128u * i;\n"
-    "        if (p < oit_pool.x)\n"
-    "            oit_pixel[OIT_LEFT(p)] = 0u;\n"
+    "        if (p >= oit_pool.x)\n"
+    "            continue;\n"
+    "        oit_pixel[OIT_WANTED(p)] = 0u;\n"
+    "#if OIT_KEEPS\n"
+    "        oit_pixel[OIT_LIMIT(p)] = OIT_NONE;\n"
+    "#endif\n"
+    "#if OIT_TAIL_WORDS == 6\n"
+    "        for (uint c = 0u; c < uint(OIT_TAIL_WORDS); ++c)\n"
+    "            oit_pixel[OIT_TAIL(p) + c] = 0u;\n"
+    "#endif\n"
     "    }\n"
     "#if OIT_KEEPS\n"
     "    uint each = OIT_LAYERS + 1u, end = min((block + 1u) * OIT_BLOCK, oit_pool.x) * each;\n"
     "    for (uint i = block * OIT_BLOCK * each + gl_LocalInvocationID.x; i < end; i += 128u)\n"
     "        oit_pixel[OIT_KEY(0u, i)] = OIT_NONE;\n"
-    "    for (uint i = 0u; i < 8u; ++i) {\n"
-    "        uint p = first + 128u * i;\n"
-    "        if (p >= oit_pool.x)\n"
-    "            break;\n"
-    "        oit_pixel[OIT_LIMIT(p)] = OIT_NONE;\n"
-    "        for (uint c = 0u; c < 6u; ++c)\n"
-    "            oit_pixel[OIT_TAIL(p) + c] = 0u;\n"
-    "    }\n"
     "#endif\n"
     "    if (oit_step.x != 0u && first < OIT_HEADER)\n"
     "        oit_pixel[first] = 0u;\n"
+    "}\n",
+    0};
+static const char *const oit_i_shader_oit_color_glsl[] = {
+    "#line 1\n"
+    "// For: oit_buffers.h\n"
+    "// The colour of a record, from the words that hold it.\n"
+    "vec4 oit_unpack_color(uvec4 w)\n"
+    "{\n"
+    "#if OIT_COLOR == OIT_COLOR_8\n"
+    "    return vec4(vec3(uvec3(w.x, w.x >> 10u, w.x >> 20u) & 1023u) * (1.0 / 1023.0), uintBitsToFloat(w.y));\n"
+    "#elif OIT_COLOR == OIT_COLOR_HALF\n"
+    "    return vec4(unpackHalf2x16(w.x), unpackHalf2x16(w.y));\n"
+    "#else\n"
+    "    return uintBitsToFloat(w);\n"
+    "#endif\n"
     "}\n",
     0};
 static const char *const oit_i_shader_oit_compose_frag[] = {
@@ -619,7 +638,7 @@ static const char *const oit_i_shader_oit_compose_frag[] = {
     "{\n"
     "    if (oit_pixel[OIT_LIMIT(p)] == OIT_NONE)\n"
     "        return;\n"
-    "    vec4 tail = oit_tail_light(oit_tail_sums(p));\n"
+    "    vec4 tail = oit_tail_light(oit_tail_sums(p, 0u));\n"
     "    oit_sum += oit_through * tail.rgb;\n"
     "    oit_through *= tail.a;\n"
     "}\n"
@@ -632,6 +651,10 @@ static const char *const oit_i_shader_oit_compose_frag[] = {
     "    uint start = oit_pixel[OIT_START(p)], end = oit_pixel[OIT_START(p + 1u)];\n"
     "#if OIT_ASYNC\n"
     "    if (end > oit_pool.z)\n"
+    "        discard;\n"
+    "#endif\n"
+    "#if OIT_ASYNC && OIT_STORE == OIT_PREDICT\n"
+    "    if (int(oit_pixel[OIT_LEFT(p)]) < 0)\n"
     "        discard;\n"
     "#endif\n"
     "    // Fragments that were counted and did not come have left the first places empty.\n"
@@ -748,13 +771,15 @@ static const char *const oit_i_shader_oit_frame_block_glsl[] = {
     "    highp ivec4 oit_area;  // x, y of the slab's corner in the target, its width and height\n"
     "    highp uvec4 oit_pool;  // x: pixels of the slab, y: first fragment of the band, z: capacity, w: blocks of the scan\n"
     "    highp uvec4 oit_step;  // x: 1 with the first slab of a frame, y: what is deeper is left to the program for all depths,\n"
-    "                           // w: k of the stores that keep the k nearest\n"
+    "                           // w: 1 where the fragments are stored before they are counted; or k, of the stores that\n"
+    "                           // keep the k nearest\n"
     "    highp uvec4 oit_above; // what is not deeper than this is left to the program before: of up to 8, 16, 32, 64\n"
     "    highp vec4 oit_light;  // xyz: toward the light, unit length; zero: no shading. w: weight of the background\n"
     "};\n"
     "\n"
     "// The pixel buffer: 16 words of totals, then two words a pixel (where its run starts; how many fragments are still to\n"
-    "// come), one more start, a word for each block of the scan, and four words a pixel for the tail.\n"
+    "// come), one more start, a word for each block of the scan, a word a pixel where the store has one of its own, and four or\n"
+    "// six words a pixel for the tail; and what the stores that keep the k nearest choose them by.\n"
     "#define OIT_NEEDED 0u      // fragments of the slab that needs most\n"
     "#define OIT_DEEPEST 1u     // fragments of the deepest pixel\n"
     "#define OIT_LOST_PIXELS 2u // pixels that are composed from the tail\n"
@@ -766,22 +791,32 @@ static const char *const oit_i_shader_oit_frame_block_glsl[] = {
     "#define OIT_START(p) (OIT_HEADER + 2u * (p))\n"
     "#define OIT_LEFT(p) (OIT_HEADER + 1u + 2u * (p))\n"
     "#define OIT_SUM(b) (OIT_HEADER + 2u + 2u * oit_pool.x + (b))\n"
-    "#define OIT_MORE (OIT_HEADER + 2u + 2u * oit_pool.x + oit_pool.w)\n"
-    "#if OIT_KEEPS\n"
-    "// With the stores that keep the k nearest: six words a pixel for the tail, the limit (keys from there on are not kept),\n"
-    "// k + 1 keys; and k buckets of two words: a part, and which records it has.\n"
-    "#define OIT_LAYERS oit_step.w\n"
-    "#define OIT_TAIL(p) (OIT_MORE + 6u * (p))\n"
-    "#define OIT_LIMIT(p) (OIT_MORE + 6u * oit_pool.x + (p))\n"
-    "#define OIT_KEY(p, i) (OIT_MORE + 7u * oit_pool.x + (p) * (OIT_LAYERS + 1u) + (i))\n"
-    "#define OIT_BUCKET(p, i) (OIT_MORE + (8u + OIT_LAYERS) * oit_pool.x + 2u * ((p) * OIT_LAYERS + (i)))\n"
+    "#define OIT_OWN(p) (OIT_HEADER + 2u + 2u * oit_pool.x + oit_pool.w + (p))\n"
+    "#define OIT_TAIL(p) (OIT_OWN(0u) + uint(OIT_OWN_WORDS) * oit_pool.x + uint(OIT_TAIL_WORDS) * (p))\n"
+    "#define OIT_DIRECT (oit_step.w != 0u)\n"
+    "\n"
+    "// Where the scan finds how long the run of a pixel shall be. OIT_STORE_PREDICT keeps how many fragments came in the frame\n"
+    "// before, and needs no place for its guess but that where the scan writes the start.\n"
+    "#if OIT_STORE == OIT_PREDICT\n"
+    "#define OIT_SEEN(p) OIT_OWN(p)\n"
+    "#define OIT_WANTED(p) OIT_START(p)\n"
     "#else\n"
-    "#define OIT_TAIL(p) (OIT_MORE + 4u * (p))\n"
+    "#define OIT_WANTED(p) OIT_LEFT(p)\n"
+    "#endif\n"
+    "\n"
+    "#if OIT_KEEPS\n"
+    "// Where keys begin that are not kept; k + 1 keys; and k buckets of two words: a part, and which records it has.\n"
+    "#define OIT_LAYERS oit_step.w\n"
+    "#define OIT_LIMIT(p) OIT_OWN(p)\n"
+    "#define OIT_KEY(p, i) (OIT_TAIL(oit_pool.x) + (p) * (OIT_LAYERS + 1u) + (i))\n"
+    "#define OIT_BUCKET(p, i) (OIT_KEY(oit_pool.x, 0u) + 2u * ((p) * OIT_LAYERS + (i)))\n"
     "#endif\n"
     "#define OIT_NONE 0xffffffffu\n"
     "\n"
     "// With what is to come of a pixel whose run does not fit. A pixel has less than 2^30 fragments.\n"
     "#define OIT_UNFIT 0x40000000u\n"
+    "// How many places are left, without that; negative: so many came too much.\n"
+    "#define OIT_TRUE_LEFT(left) (int(left) - (OIT_ASYNC == 1 && int(left) >= 0x20000000 ? 0x40000000 : 0))\n"
     "\n"
     "// A block of the scan: 128 invocations of 8 pixels each.\n"
     "#define OIT_BLOCK 1024u\n",
@@ -833,7 +868,7 @@ static const char *const oit_i_shader_oit_keep_comp[] = {
     "    atomicAdd(oit_all[2], kept < count ? 1u : 0u);\n"
     "    atomicAdd(oit_all[3], count - kept);\n"
     "    if (kept > 0u)\n"
-    "        atomicAdd(oit_classes[kept <= 8u ? 0u : min(uint(findMSB(kept - 1u)) - 2u, 4u)], 1u);\n"
+    "        atomicAdd(oit_classes[oit_class(kept)], 1u);\n"
     "}\n"
     "\n"
     "void main()\n"
@@ -861,13 +896,52 @@ static const char *const oit_i_shader_oit_keep_comp[] = {
     "    }\n"
     "}\n",
     0};
+static const char *const oit_i_shader_oit_predict_comp[] = {
+    "#line 1\n"
+    "// For: oit_buffers.h\n"
+    "// OIT_STORE_PREDICT: how long the run of each pixel shall be: the most that it or a neighbour had in the frame before, and\n"
+    "// some headroom; or, where the frame is filled again, what it had. Clears totals, and the sums of pixels that were lost.\n"
+    "layout(local_size_x = 128) in;\n"
+    "layout(std430, binding = OIT_BINDING_PIXELS) buffer oit_pixels { uint oit_pixel[]; };\n"
+    "\n"
+    "uint oit_most_around(uint p)\n"
+    "{\n"
+    "    ivec2 size = oit_area.zw, at = ivec2(int(p) % size.x, int(p) / size.x);\n"
+    "    ivec2 low = max(at - 1, ivec2(0)), high = min(at + 1, size - 1);\n"
+    "    uint most = 0u;\n"
+    "    for (int y = low.y; y <= high.y; ++y)\n"
+    "        for (int x = low.x; x <= high.x; ++x)\n"
+    "            most = max(most, oit_pixel[OIT_SEEN(uint(y * size.x + x))]);\n"
+    "    // Sixteenths, rounded up.\n"
+    "    return most + (most >> 4u) * uint(OIT_HEADROOM) + (((most & 15u) * uint(OIT_HEADROOM) + 15u) >> 4u);\n"
+    "}\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    uint block = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;\n"
+    "    uint first = block * OIT_BLOCK + gl_LocalInvocationID.x;\n"
+    "    for (uint i = 0u; i < 8u; ++i) {\n"
+    "        uint p = first + 128u * i;\n"
+    "        if (p >= oit_pool.x)\n"
+    "            continue;\n"
+    "#if OIT_ASYNC\n"
+    "        if (oit_pixel[OIT_LEFT(p)] >= OIT_UNFIT >> 1u) // less than none left, or unfit\n"
+    "            for (uint c = 0u; c < uint(OIT_TAIL_WORDS); ++c)\n"
+    "                oit_pixel[OIT_TAIL(p) + c] = 0u;\n"
+    "#endif\n"
+    "        oit_pixel[OIT_WANTED(p)] = OIT_DIRECT ? oit_most_around(p) : oit_pixel[OIT_SEEN(p)];\n"
+    "    }\n"
+    "    if (first < OIT_HEADER)\n"
+    "        oit_pixel[first] = 0u;\n"
+    "}\n",
+    0};
 static const char *const oit_i_shader_oit_record_glsl[] = {
     "#line 1\n"
     "// For: oit_buffers.h\n"
     "// Records read back: the order of two, colour, how it is laid over what is behind.\n"
-    "#ifdef OIT_ARRANGES\n"
+    "#if defined(OIT_ARRANGES)\n"
     "layout(std430, binding = OIT_BINDING_PIXELS) buffer oit_pixels { uint oit_pixel[]; };\n"
-    "#else\n"
+    "#elif !defined(OIT_SETTLES)\n"
     "layout(std430, binding = OIT_BINDING_PIXELS) readonly buffer oit_pixels { uint oit_pixel[]; };\n"
     "#endif\n"
     "layout(std430, binding = OIT_BINDING_FRAGMENTS) readonly buffer oit_fragments { OIT_VECTOR oit_data[]; };\n"
@@ -893,17 +967,6 @@ static const char *const oit_i_shader_oit_record_glsl[] = {
     "    return oit_data[at].x;\n"
     "}\n"
     "\n"
-    "vec4 oit_unpack_color(uvec4 w)\n"
-    "{\n"
-    "#if OIT_COLOR == OIT_COLOR_8\n"
-    "    return vec4(vec3(uvec3(w.x, w.x >> 10u, w.x >> 20u) & 1023u) * (1.0 / 1023.0), uintBitsToFloat(w.y));\n"
-    "#elif OIT_COLOR == OIT_COLOR_HALF\n"
-    "    return vec4(unpackHalf2x16(w.x), unpackHalf2x16(w.y));\n"
-    "#else\n"
-    "    return uintBitsToFloat(w);\n"
-    "#endif\n"
-    "}\n"
-    "\n"
     "// The words of the colour; of one vector where they lie in one, which some drivers load much faster.\n"
     "uvec4 oit_record_words(uint at)\n"
     "{\n"
@@ -916,7 +979,22 @@ static const char *const oit_i_shader_oit_record_glsl[] = {
     "    return uvec4(OIT_WORD(at, OIT_AT_COLOR), OIT_WORD(at, OIT_AT_COLOR + 1), OIT_WORD(at, OIT_AT_COLOR + 2),\n"
     "                 OIT_WORD(at, OIT_AT_COLOR + 3));\n"
     "#endif\n"
-    "}\n",
+    "}\n"
+    "\n"
+    "#ifdef OIT_SETTLES\n"
+    "// What the record adds to the tail.\n"
+    "vec4 oit_record_amounts(uint at)\n"
+    "{\n"
+    "    uvec4 words = oit_record_words(at);\n"
+    "#if OIT_HAS_BLEND && OIT_COLOR == OIT_COLOR_8\n"
+    "    return oit_tail_amounts(oit_unpack_color(words), words.x >> 30u);\n"
+    "#elif OIT_HAS_BLEND\n"
+    "    return oit_tail_amounts(oit_unpack_color(words), OIT_WORD(at, OIT_AT_BLEND));\n"
+    "#else\n"
+    "    return oit_tail_amounts(oit_unpack_color(words), 0u);\n"
+    "#endif\n"
+    "}\n"
+    "#endif\n",
     0};
 static const char *const oit_i_shader_oit_report_comp[] = {
     "#line 1\n"
@@ -941,6 +1019,12 @@ static const char *const oit_i_shader_oit_scan_glsl[] = {
     "    uint sum = a + b;\n"
     "    return sum < a ? 0xffffffffu : sum;\n"
     "}\n"
+    "\n"
+    "// 0 for up to 8, then one more for each doubling.\n"
+    "uint oit_class(uint count)\n"
+    "{\n"
+    "    return count <= 8u ? 0u : min(uint(findMSB(count - 1u)) - 2u, 4u);\n"
+    "}\n"
     "#ifdef OIT_SCANS\n"
     "shared uint oit_scanned[128];\n"
     "\n"
@@ -959,6 +1043,61 @@ static const char *const oit_i_shader_oit_scan_glsl[] = {
     "}\n"
     "#endif\n",
     0};
+static const char *const oit_i_shader_oit_settle_comp[] = {
+    "#line 1\n"
+    "// For: oit_buffers.h\n"
+    "// OIT_STORE_PREDICT, after the fill: how many fragments came to each pixel, what the frame was like, and which pixels got\n"
+    "// more than their runs hold. What such a pixel has stored goes to its tail, where the rest is already: so it does not show\n"
+    "// which came first.\n"
+    "layout(local_size_x = 128) in;\n"
+    "shared uint oit_totals[OIT_HEADER];\n"
+    "\n"
+    "void oit_settle(uint p, inout uint deepest)\n"
+    "{\n"
+    "    uint start = oit_pixel[OIT_START(p)], end = oit_pixel[OIT_START(p + 1u)];\n"
+    "    int left = OIT_TRUE_LEFT(oit_pixel[OIT_LEFT(p)]);\n"
+    "    uint seen = end - start - uint(left);\n"
+    "    oit_pixel[OIT_SEEN(p)] = seen;\n"
+    "    if (seen == 0u)\n"
+    "        return;\n"
+    "    if (OIT_DIRECT) {\n"
+    "        deepest = max(deepest, seen);\n"
+    "        atomicAdd(oit_totals[OIT_NEEDED], seen);\n"
+    "        atomicAdd(oit_totals[OIT_PIXELS + oit_class(seen)], 1u);\n"
+    "    } else if (OIT_ASYNC == 0) { // counted: nothing is lost, and what is too much was not stored\n"
+    "        atomicAdd(oit_totals[OIT_EXTRA], uint(max(-left, 0)));\n"
+    "        return;\n"
+    "    }\n"
+    "    if (left >= 0 && end <= oit_pool.z)\n"
+    "        return;\n"
+    "    atomicAdd(oit_totals[OIT_LOST_PIXELS], 1u);\n"
+    "    atomicAdd(oit_totals[OIT_LOST], seen);\n"
+    "#if OIT_ASYNC\n"
+    "    for (uint i = start; i < end && end <= oit_pool.z; ++i)\n"
+    "        oit_add_to_tail(p, oit_record_amounts(i * uint(OIT_VECTORS)));\n"
+    "#endif\n"
+    "}\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    uint block = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;\n"
+    "    uint self = gl_LocalInvocationID.x, deepest = 0u;\n"
+    "    if (self < OIT_HEADER)\n"
+    "        oit_totals[self] = 0u;\n"
+    "    barrier();\n"
+    "    for (uint i = 0u; i < 8u; ++i) {\n"
+    "        uint p = block * OIT_BLOCK + 128u * i + self;\n"
+    "        if (p < oit_pool.x)\n"
+    "            oit_settle(p, deepest);\n"
+    "    }\n"
+    "    atomicMax(oit_totals[OIT_DEEPEST], deepest);\n"
+    "    barrier();\n"
+    "    if (self == OIT_DEEPEST)\n"
+    "        atomicMax(oit_pixel[OIT_DEEPEST], oit_totals[OIT_DEEPEST]);\n"
+    "    else if (self < OIT_HEADER && oit_totals[self] > 0u)\n"
+    "        atomicAdd(oit_pixel[self], oit_totals[self]);\n"
+    "}\n",
+    0};
 static const char *const oit_i_shader_oit_spread_comp[] = {
     "#line 1\n"
     "// For: oit_buffers.h\n"
@@ -969,11 +1108,13 @@ static const char *const oit_i_shader_oit_spread_comp[] = {
     "\n"
     "void oit_lose(uint p, uint count)\n"
     "{\n"
+    "    oit_pixel[OIT_LEFT(p)] = count | OIT_UNFIT;\n"
+    "#if OIT_STORE != OIT_PREDICT // where it is known when all have come\n"
     "    atomicAdd(oit_pixel[OIT_LOST_PIXELS], 1u);\n"
     "    atomicAdd(oit_pixel[OIT_LOST], count);\n"
-    "    oit_pixel[OIT_LEFT(p)] = count | OIT_UNFIT;\n"
     "    for (uint c = 0u; c < 4u; ++c)\n"
     "        oit_pixel[OIT_TAIL(p) + c] = 0u;\n"
+    "#endif\n"
     "}\n"
     "\n"
     "void main()\n"
@@ -982,12 +1123,15 @@ static const char *const oit_i_shader_oit_spread_comp[] = {
     "    uint first = block * OIT_BLOCK + 8u * gl_LocalInvocationID.x;\n"
     "    uint sum = 0u;\n"
     "    for (uint p = first; p < first + 8u; ++p)\n"
-    "        sum = oit_add(sum, p < oit_pool.x ? oit_pixel[OIT_LEFT(p)] : 0u);\n"
+    "        sum = oit_add(sum, p < oit_pool.x ? oit_pixel[OIT_WANTED(p)] : 0u);\n"
     "    uint before = oit_scan(gl_LocalInvocationID.x, sum);\n"
     "    before = oit_add(before, block < oit_pool.w ? oit_pixel[OIT_SUM(block)] : 0u);\n"
     "    for (uint p = first; p < first + 8u && p < oit_pool.x; ++p) {\n"
-    "        uint count = oit_pixel[OIT_LEFT(p)];\n"
+    "        uint count = oit_pixel[OIT_WANTED(p)];\n"
     "        oit_pixel[OIT_START(p)] = before;\n"
+    "#if OIT_STORE == OIT_PREDICT\n"
+    "        oit_pixel[OIT_LEFT(p)] = count;\n"
+    "#endif\n"
     "        before = oit_add(before, count);\n"
     "#if OIT_ASYNC\n"
     "        if (before > oit_pool.z && count > 0u)\n"
@@ -1003,11 +1147,6 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "// one record of OIT_VECTORS vectors into the pixel's run. Records are written so that their words, compared one after the\n"
     "// other, give the order in which they are composed: depth, part, key, and all else for fragments that tie.\n"
     "layout(early_fragment_tests) in;\n"
-    "#if OIT_KEEPS && OIT_PASS == OIT_COUNT\n"
-    "layout(std430, binding = OIT_BINDING_PIXELS) coherent buffer oit_pixels { uint oit_pixel[]; };\n"
-    "#else\n"
-    "layout(std430, binding = OIT_BINDING_PIXELS) buffer oit_pixels { uint oit_pixel[]; };\n"
-    "#endif\n"
     "#if OIT_PASS == OIT_FILL\n"
     "layout(std430, binding = OIT_BINDING_FRAGMENTS) writeonly buffer oit_fragments { OIT_VECTOR oit_data[]; };\n"
     "#endif\n"
@@ -1116,22 +1255,21 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "\n"
     "#if OIT_PASS == OIT_FILL\n"
     "#if OIT_HAS_NORMAL\n"
-    "// The octahedron unfolded: both coordinates of a direction in 16 bits each. A normal of no length is that toward the eye.\n",
-    "#line 120\n"
+    "// The octahedron unfolded: both coordinates of a direction in 16 bits each. A normal of no length is that toward the eye.\n"
     "uint oit_pack_normal(vec3 n)\n"
     "{\n"
     "    n = vec3(oit_finite(n.x), oit_finite(n.y), oit_finite(n.z));\n"
     "    float size = abs(n.x) + abs(n.y) + abs(n.z);\n"
-    "    n = size > 0.0 && size < 1.0e38 ? n / size : vec3(0.0, 0.0, 1.0);\n"
+    "    n = size > 0.0 && size < 1.0e38 ? n / size : vec3(0.0, 0.0, 1.0);\n",
+    "#line 120\n"
     "    vec2 folded = (1.0 - abs(n.yx)) * vec2(n.x < 0.0 ? -1.0 : 1.0, n.y < 0.0 ? -1.0 : 1.0);\n"
     "    return packSnorm2x16(n.z < 0.0 ? folded : n.xy);\n"
     "}\n"
     "#endif\n"
     "\n"
-    "void oit_write(uint at, oit_fragment f)\n"
+    "void oit_pack(oit_fragment f, out uint w[OIT_VECTORS * OIT_LANES])\n"
     "{\n"
     "    vec4 color = oit_finite(f.color);\n"
-    "    uint w[OIT_VECTORS * OIT_LANES];\n"
     "    for (int i = 0; i < OIT_VECTORS * OIT_LANES; ++i)\n"
     "        w[i] = 0u;\n"
     "    w[0] = oit_depth_bits();\n"
@@ -1170,6 +1308,10 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "    for (int i = 0; i < OIT_HOST_WORDS; ++i)\n"
     "        w[OIT_AT_HOST + i] = f.words[i];\n"
     "#endif\n"
+    "}\n"
+    "\n"
+    "void oit_write(uint at, uint w[OIT_VECTORS * OIT_LANES])\n"
+    "{\n"
     "    for (int i = 0; i < OIT_VECTORS; ++i)\n"
     "#if OIT_LANES == 4\n"
     "        oit_data[at + uint(i)] = uvec4(w[4 * i], w[4 * i + 1], w[4 * i + 2], w[4 * i + 3]);\n"
@@ -1178,69 +1320,56 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "#endif\n"
     "}\n"
     "\n"
-    "#if OIT_ASYNC || OIT_KEEPS\n"
-    "// The tail: sums that do not depend on the order, in integers so that rounding does not either. The layers of a pixel are\n"
-    "// taken as mixed evenly: optical depths add, colours are weighted by them. Colours up to 4 and optical depths up to 11 make\n"
-    "// less than 64 a fragment.\n"
-    "vec4 oit_tail_parts(oit_fragment f)\n"
-    "{\n"
-    "    vec4 color = oit_finite(f.color);\n"
-    "    float thickness = min(-log(1.0 - min(color.a, 0.999999)), 11.0);\n"
-    "    vec3 c = clamp(color.rgb, 0.0, 4.0);\n"
-    "#if OIT_PREMULTIPLIED\n"
-    "    c = color.a > 0.0 ? min(c / color.a, vec3(4.0)) : c;\n"
-    "    float weight = color.a > 0.0 ? thickness : 1.0;\n"
-    "#else\n"
-    "    float weight = thickness;\n"
-    "#endif\n"
-    "#if OIT_HAS_BLEND\n"
-    "    if (f.blend == OIT_BLEND_ADD) {\n"
-    "        weight = OIT_PREMULTIPLIED == 1 ? max(color.a, 1.0e-6) : color.a;\n"
-    "        thickness = 0.0;\n"
-    "    } else if (f.blend == OIT_BLEND_MULTIPLY) {\n"
-    "        float keep = 1.0 - color.a + color.a * min((c.r + c.g + c.b) / 3.0, 1.0);\n"
-    "        thickness = min(-log(max(keep, 1.0e-6)), 11.0);\n"
-    "        weight = 0.0;\n"
-    "    }\n"
-    "#endif\n"
-    "    return vec4(c * weight, thickness);\n"
-    "}\n"
-    "\n"
-    "#if OIT_KEEPS\n"
-    "// In units of 2^-26, with 16 more bits by carries: how many there are follows from the sum alone. A fragment makes less\n"
-    "// than one, so that 65,535 fragments do not overflow.\n"
-    "void oit_to_tail(uint p, oit_fragment f)\n"
-    "{\n"
-    "    uvec4 parts = uvec4(oit_tail_parts(f) * 67108864.0 + 0.5);\n"
-    "    for (uint c = 0u; c < 4u; ++c) {\n"
-    "        uint before = atomicAdd(oit_pixel[OIT_TAIL(p) + c], parts[c]);\n"
-    "        if (before > 0xffffffffu - parts[c])\n"
-    "            atomicAdd(oit_pixel[OIT_TAIL(p) + 4u + (c >> 1u)], 1u << (16u * (c & 1u)));\n"
-    "    }\n"
-    "}\n"
-    "#else\n"
-    "// Bits are shared out by the count of the pixel, so that no sum overflows.\n"
+    "#if OIT_ASYNC && OIT_TAIL_WORDS == 4\n"
+    "// Bits are shared out by the count of the pixel, so that no sum overflows: less than 64 a fragment.\n"
     "void oit_to_tail(uint p, uint count, oit_fragment f)\n"
     "{\n"
     "    float scale = exp2(float(26 - findMSB(count) - 1));\n"
-    "    uvec4 parts = uvec4(oit_tail_parts(f) * scale + 0.5);\n"
+    "#if OIT_HAS_BLEND\n"
+    "    vec4 amounts = oit_tail_amounts(oit_finite(f.color), f.blend);\n"
+    "#else\n"
+    "    vec4 amounts = oit_tail_amounts(oit_finite(f.color), OIT_BLEND_OVER);\n"
+    "#endif\n"
+    "    uvec4 parts = uvec4(amounts * scale + 0.5);\n"
     "    atomicAdd(oit_pixel[OIT_TAIL(p)], parts.r);\n"
     "    atomicAdd(oit_pixel[OIT_TAIL(p) + 1u], parts.g);\n"
     "    atomicAdd(oit_pixel[OIT_TAIL(p) + 2u], parts.b);\n"
     "    atomicAdd(oit_pixel[OIT_TAIL(p) + 3u], parts.a);\n"
     "}\n"
+    "#elif OIT_KEEPS\n"
+    "void oit_to_tail(uint p, oit_fragment f)\n"
+    "{\n"
+    "#if OIT_HAS_BLEND\n"
+    "    oit_add_to_tail(p, oit_tail_amounts(oit_finite(f.color), f.blend));\n"
+    "#else\n"
+    "    oit_add_to_tail(p, oit_tail_amounts(oit_finite(f.color), OIT_BLEND_OVER));\n"
+    "#endif\n"
+    "}\n"
+    "#elif OIT_ASYNC\n"
+    "// With the colour as it would be read back: what is stored of the same pixel is added by others from there.\n"
+    "void oit_to_tail(uint p, oit_fragment f, uint w[OIT_VECTORS * OIT_LANES])\n"
+    "{\n"
+    "#if OIT_COLOR == OIT_COLOR_FLOAT\n"
+    "    vec4 color = oit_unpack_color(uvec4(w[OIT_AT_COLOR], w[OIT_AT_COLOR + 1], w[OIT_AT_COLOR + 2], w[OIT_AT_COLOR + 3]));\n"
+    "#else\n"
+    "    vec4 color = oit_unpack_color(uvec4(w[OIT_AT_COLOR], w[OIT_AT_COLOR + 1], 0u, 0u));\n"
+    "#endif\n"
+    "#if OIT_HAS_BLEND\n"
+    "    oit_add_to_tail(p, oit_tail_amounts(color, f.blend));\n"
+    "#else\n"
+    "    oit_add_to_tail(p, oit_tail_amounts(color, OIT_BLEND_OVER));\n"
+    "#endif\n"
+    "}\n"
     "#endif\n"
     "#endif\n"
-    "#endif\n"
-    "\n",
-    "#line 235\n"
+    "\n"
     "void oit_store(oit_fragment f)\n"
     "{\n"
     "    uint p = oit_pixel_index();\n"
     "#if OIT_KEEPS && OIT_PASS == OIT_COUNT\n"
     "    oit_select(p, oit_key(f));\n"
     "#elif OIT_PASS == OIT_COUNT\n"
-    "    atomicAdd(oit_pixel[OIT_LEFT(p)], 1u);\n"
+    "    atomicAdd(oit_pixel[OIT_WANTED(p)], 1u);\n"
     "#else\n"
     "#if OIT_KEEPS\n"
     "    if (oit_key(f) >= oit_pixel[OIT_LIMIT(p)]) {\n"
@@ -1249,7 +1378,7 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "    }\n"
     "#endif\n"
     "    uint left = atomicAdd(oit_pixel[OIT_LEFT(p)], 0xffffffffu);\n"
-    "#if OIT_ASYNC\n"
+    "#if OIT_ASYNC && OIT_STORE == OIT_EXACT\n"
     "    if (left >> 30u == 1u) { // OIT_UNFIT, and not what wraps below 0\n"
     "        uint count = oit_pixel[OIT_START(p + 1u)] - oit_pixel[OIT_START(p)];\n"
     "        if (left != OIT_UNFIT)\n"
@@ -1257,16 +1386,23 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "        else\n"
     "            atomicAdd(oit_pixel[OIT_EXTRA], 1u);\n"
     "        return;\n"
-    "    }\n"
+    "    }\n",
+    "#line 245\n"
     "#endif\n"
     "    // Nothing is written outside of the run, however many fragments come: after as many as were counted, what is left is\n"
     "    // 0, and then wraps to more than any pool holds.\n"
+    "    uint w[OIT_VECTORS * OIT_LANES];\n"
+    "    oit_pack(f, w);\n"
     "    uint slot = oit_pixel[OIT_START(p)] + left - 1u - oit_pool.y;\n"
     "    if (left - 1u >= oit_pool.z || slot >= oit_pool.z) {\n"
+    "#if OIT_STORE != OIT_PREDICT\n"
     "        atomicAdd(oit_pixel[OIT_EXTRA], 1u);\n"
+    "#elif OIT_ASYNC\n"
+    "        oit_to_tail(p, f, w);\n"
+    "#endif\n"
     "        return;\n"
     "    }\n"
-    "    oit_write(slot * uint(OIT_VECTORS), f);\n"
+    "    oit_write(slot * uint(OIT_VECTORS), w);\n"
     "#endif\n"
     "}\n"
     "\n"
@@ -1306,12 +1442,6 @@ static const char *const oit_i_shader_oit_sum_comp[] = {
     "shared uint oit_most[128];\n"
     "shared uint oit_classes[5];\n"
     "\n"
-    "// 0 for up to 8, then one more for each doubling.\n"
-    "uint oit_class(uint count)\n"
-    "{\n"
-    "    return count <= 8u ? 0u : min(uint(findMSB(count - 1u)) - 2u, 4u);\n"
-    "}\n"
-    "\n"
     "void main()\n"
     "{\n"
     "    uint block = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;\n"
@@ -1322,7 +1452,7 @@ static const char *const oit_i_shader_oit_sum_comp[] = {
     "    barrier();\n"
     "    for (uint i = 0u; i < 8u; ++i) {\n"
     "        uint p = block * OIT_BLOCK + 128u * i + self;\n"
-    "        uint count = p < oit_pool.x ? oit_pixel[OIT_LEFT(p)] : 0u;\n"
+    "        uint count = p < oit_pool.x ? oit_pixel[OIT_WANTED(p)] : 0u;\n"
     "        sum = oit_add(sum, count);\n"
     "        most = max(most, count);\n"
     "        if (count > 0u)\n"
@@ -1338,11 +1468,13 @@ static const char *const oit_i_shader_oit_sum_comp[] = {
     "        }\n"
     "        barrier();\n"
     "    }\n"
-    "    if (self < 5u && oit_classes[self] > 0u)\n"
+    "    bool known = OIT_STORE != OIT_PREDICT || !OIT_DIRECT; // what is only guessed is not reported\n"
+    "    if (known && self < 5u && oit_classes[self] > 0u)\n"
     "        atomicAdd(oit_pixel[OIT_PIXELS + self], oit_classes[self]);\n"
     "    if (self == 0u && block < oit_pool.w) {\n"
     "        oit_pixel[OIT_SUM(block)] = oit_sums[0];\n"
-    "        atomicMax(oit_pixel[OIT_DEEPEST], oit_most[0]);\n"
+    "        if (known)\n"
+    "            atomicMax(oit_pixel[OIT_DEEPEST], oit_most[0]);\n"
     "    }\n"
     "}\n",
     0};
@@ -1451,18 +1583,20 @@ static const char *const oit_i_shader_oit_tail_frag[] = {
     "    ivec2 where = ivec2(gl_FragCoord.xy) - oit_area.xy;\n"
     "    uint p = uint(where.y) * uint(oit_area.z) + uint(where.x);\n"
     "    uint start = oit_pixel[OIT_START(p)], end = oit_pixel[OIT_START(p + 1u)];\n"
-    "#if OIT_KEEPS\n"
+    "#if OIT_STORE == OIT_PREDICT\n"
+    "    int left = OIT_TRUE_LEFT(oit_pixel[OIT_LEFT(p)]);\n"
+    "    if ((end <= oit_pool.z && left >= 0) || int(end - start) == left)\n"
+    "        discard;\n"
+    "#elif OIT_KEEPS\n"
     "    // Where some fragments are kept, the tail is laid behind them with the run.\n"
     "    start += uint(max(int(oit_pixel[OIT_LEFT(p)]), 0));\n"
     "    if (end != start || oit_pixel[OIT_LIMIT(p)] == OIT_NONE)\n"
     "        discard;\n"
-    "    vec4 sums = oit_tail_sums(p);\n"
     "#else\n"
     "    if (end <= oit_pool.z || end == start)\n"
     "        discard;\n"
-    "    vec4 sums = oit_tail_sums(p, end - start);\n"
     "#endif\n"
-    "    vec4 tail = oit_tail_light(sums);\n"
+    "    vec4 tail = oit_tail_light(oit_tail_sums(p, end - start));\n"
     "    vec3 sum = tail.rgb;\n"
     "    float through = tail.a;\n"
     "#if OIT_MODE == OIT_MODE_DUAL\n"
@@ -1476,6 +1610,62 @@ static const char *const oit_i_shader_oit_tail_frag[] = {
     "    oit_out = vec4(sum, oit_light.w * through);\n"
     "#endif\n"
     "}\n",
+    0};
+static const char *const oit_i_shader_oit_tail_glsl[] = {
+    "#line 1\n"
+    "// For: oit_buffers.h\n"
+    "// The pixel buffer, and what a fragment adds to the tail: sums that do not depend on the order, in integers so that rounding\n"
+    "// does not either. The layers of a pixel are taken as mixed evenly: optical depths add, colours are weighted by them.\n"
+    "#if OIT_KEEPS\n"
+    "#if OIT_PASS == OIT_COUNT // fragments of a pixel look at each other's keys\n"
+    "layout(std430, binding = OIT_BINDING_PIXELS) coherent buffer oit_pixels { uint oit_pixel[]; };\n"
+    "#define OIT_IS_COHERENT\n"
+    "#endif\n"
+    "#endif\n"
+    "#ifndef OIT_IS_COHERENT\n"
+    "layout(std430, binding = OIT_BINDING_PIXELS) buffer oit_pixels { uint oit_pixel[]; };\n"
+    "#endif\n"
+    "\n"
+    "#if OIT_TAIL_WORDS > 0\n"
+    "// Light and optical depth of one fragment, below 64 each. By one chain of roundings, whichever shader asks.\n"
+    "vec4 oit_tail_amounts(vec4 color, uint blend)\n"
+    "{\n"
+    "    OIT_PRECISE float thickness = min(-log(1.0 - min(color.a, 0.999999)), 11.0);\n"
+    "    vec3 c = clamp(color.rgb, 0.0, 4.0);\n"
+    "#if OIT_PREMULTIPLIED\n"
+    "    c = color.a > 0.0 ? min(c / color.a, vec3(4.0)) : c;\n"
+    "    float weight = color.a > 0.0 ? thickness : 1.0;\n"
+    "#else\n"
+    "    float weight = thickness;\n"
+    "#endif\n"
+    "#if OIT_HAS_BLEND\n"
+    "    if (blend == 1u) { // add\n"
+    "        weight = OIT_PREMULTIPLIED == 1 ? max(color.a, 1.0e-6) : color.a;\n"
+    "        thickness = 0.0;\n"
+    "    } else if (blend == 2u) { // multiply\n"
+    "        OIT_PRECISE float keep = 1.0 - color.a * (1.0 - min((c.r + c.g + c.b) / 3.0, 1.0));\n"
+    "        thickness = min(-log(max(keep, 1.0e-6)), 11.0);\n"
+    "        weight = 0.0;\n"
+    "    }\n"
+    "#endif\n"
+    "    OIT_PRECISE vec3 light = c * weight;\n"
+    "    return vec4(light, thickness);\n"
+    "}\n"
+    "\n"
+    "#if OIT_TAIL_WORDS == 6\n"
+    "// Where the count is not known before: units of 2^-26, cut off and not rounded, so that there is no addition that a\n"
+    "// compiler could contract; what overflows 32 bits is counted, in 16 bits for each of the four.\n"
+    "void oit_add_to_tail(uint p, vec4 amounts)\n"
+    "{\n"
+    "    uvec4 parts = uvec4(amounts * 67108864.0);\n"
+    "    for (uint c = 0u; c < 4u; ++c) {\n"
+    "        uint before = atomicAdd(oit_pixel[OIT_TAIL(p) + c], parts[c]);\n"
+    "        if (before + parts[c] < before)\n"
+    "            atomicAdd(oit_pixel[OIT_TAIL(p) + 4u + (c >> 1u)], 1u << (16u * (c & 1u)));\n"
+    "    }\n"
+    "}\n"
+    "#endif\n"
+    "#endif\n",
     0};
 static const char *const oit_i_shader_oit_tops_comp[] = {
     "#line 1\n"
@@ -1501,7 +1691,8 @@ static const char *const oit_i_shader_oit_tops_comp[] = {
     "    if (self == 127u) {\n"
     "        oit_pixel[OIT_START(oit_pool.x)] = before;\n"
     "        oit_pixel[OIT_TOTAL] = before;\n"
-    "        oit_pixel[OIT_NEEDED] = max(oit_pixel[OIT_NEEDED], before);\n"
+    "        if (OIT_STORE != OIT_PREDICT || !OIT_DIRECT)\n"
+    "            oit_pixel[OIT_NEEDED] = max(oit_pixel[OIT_NEEDED], before);\n"
     "    }\n"
     "}\n",
     0};
@@ -1722,6 +1913,8 @@ enum {
     OIT_I_PROGRAM_TOPS,
     OIT_I_PROGRAM_SPREAD,
     OIT_I_PROGRAM_REPORT,
+    OIT_I_PROGRAM_PREDICT,
+    OIT_I_PROGRAM_SETTLE,
     OIT_I_PROGRAM_KEEP,
     OIT_I_PROGRAM_ARRANGE,
     OIT_I_PROGRAM_COUNT,
@@ -1778,6 +1971,9 @@ typedef enum oit_i_step {
     OIT_I_STEP_TOPS,
     OIT_I_STEP_SPREAD,
     OIT_I_STEP_MEASURE, /* OIT_FIT_WAIT: totals to the report, and read */
+    OIT_I_STEP_PREDICT,
+    OIT_I_STEP_SETTLE,
+    OIT_I_STEP_CHECK, /* OIT_FIT_WAIT: totals again, to see whether all that was stored before it was counted found place */
     OIT_I_STEP_FILL,
     OIT_I_STEP_FILLED, /* all that is stored of the last part, which waits for oit_compose */
     OIT_I_STEP_COMPOSE,
@@ -1793,6 +1989,7 @@ typedef enum oit_i_step {
 typedef struct oit_i_list {
     unsigned char steps[OIT_I_MAX_STEPS];
     oit_i_step part_start;
+    int direct; /* 1: the fragments are stored before they are counted */
 } oit_i_list;
 
 #define OIT_I_MAX_STRINGS 24
@@ -1813,12 +2010,16 @@ struct oit_context {
     int64_t sizes[OIT_I_BUFFER_COUNT]; /* bytes held */
     oit_i_block block;                 /* as uploaded */
     oit_i_u capacity;                  /* fragments that the pool holds */
+    oit_i_u places;                    /* that the runs of the frame heard of last would have taken */
+    int settled_width, settled_height; /* of the frame whose counts are in the pixel buffer; 0: none */
     int small_needs;                   /* reports in a row that needed much less */
     uint64_t frame_number;
     oit_i_u class_pixels[OIT_I_CLASSES];       /* of the image that was heard of last, by depth */
     oit_report report, pending[OIT_I_REPORTS]; /* known; by slot, what is not read back */
     oit_i_sync fences[OIT_I_REPORTS];
-    int slot; /* of the frame's report; -1: none is free */
+    int news;                   /* whether a report has come since the pool was last looked at */
+    int guessed[OIT_I_REPORTS]; /* whether the scan of that frame added up guesses */
+    int slot;                   /* of the frame's report; -1: none is free */
     oit_i_snapshot saved;
     oit_frame frame;
     const oit_i_list *list; /* of the frame's steps */
@@ -1921,8 +2122,8 @@ OIT_I_API const char *oit_result_string(oit_result result) {
 }
 
 OIT_I_API const char *oit_pass_kind_name(oit_pass_kind kind) {
-    static const char *const names[OIT_PASS_KIND_COUNT] = {"clear",  "count", "sum",     "tops", "spread",
-                                                           "report", "fill",  "compose", "keep", "arrange"};
+    static const char *const names[OIT_PASS_KIND_COUNT] = {
+        "clear", "count", "sum", "tops", "spread", "report", "fill", "compose", "predict", "settle", "keep", "arrange"};
     return (unsigned)kind < (unsigned)OIT_PASS_KIND_COUNT ? names[kind] : "not a pass";
 }
 
@@ -2158,7 +2359,9 @@ static const char *oit_i_bad_member(const oit_desc *desc) {
         return "color or fields has bits that are none";
     if ((unsigned)desc->store > (unsigned)OIT_STORE_FETCH)
         return "store is none of its enumerators";
-    if (desc->store != OIT_STORE_EXACT && !oit_i_keeps(desc))
+    if (desc->headroom > 64)
+        return "headroom is more than 64 sixteenths";
+    if (desc->store > OIT_STORE_PREDICT && !oit_i_keeps(desc))
         return "store is one that this version does not have";
     if (desc->budget_bytes < 0 || desc->layers < 0)
         return "budget_bytes or layers is negative";
@@ -2531,8 +2734,15 @@ static oit_i_record oit_i_layout(const oit_desc *desc) {
     return at;
 }
 
-static int oit_i_key_bits(const oit_desc *desc) {
-    return desc->store == OIT_STORE_BUCKETED && desc->bucket_depth_bits == 16 ? 16 : 32;
+/* Words a pixel that the store has of its own, and those of the tail: shaders/oit_frame_block.glsl. */
+static int oit_i_own_words(const oit_desc *desc) {
+    return desc->store == OIT_STORE_PREDICT || oit_i_keeps(desc);
+}
+
+static int oit_i_tail_words(const oit_desc *desc) {
+    if (oit_i_keeps(desc))
+        return 6;
+    return desc->fit == OIT_FIT_WAIT ? 0 : desc->store == OIT_STORE_PREDICT ? 6 : 4;
 }
 
 /* What every stage begins with, after the version: what was chosen at creation. */
@@ -2566,8 +2776,12 @@ static void oit_i_write_preamble(const oit_desc *desc, int es, char *at, size_t 
     oit_i_define(&text, "OIT_AT_HOST", record.host);
     oit_i_define(&text, "OIT_COLOR", (int)desc->color);
     oit_i_define(&text, "OIT_STORE", (int)desc->store);
+    oit_i_define(&text, "OIT_OWN_WORDS", oit_i_own_words(desc));
+    oit_i_define(&text, "OIT_TAIL_WORDS", oit_i_tail_words(desc));
     oit_i_define(&text, "OIT_KEEPS", oit_i_keeps(desc));
-    oit_i_define(&text, "OIT_KEY_BITS", oit_i_key_bits(desc));
+    oit_i_define(&text, "OIT_KEY_BITS", desc->store == OIT_STORE_BUCKETED && desc->bucket_depth_bits == 16 ? 16 : 32);
+    oit_i_define(&text, "OIT_HEADROOM", desc->headroom == 0 ? 2 : desc->headroom < 0 ? 0 : desc->headroom);
+    oit_i_put(&text, es ? "#define OIT_PRECISE\n" : "#define OIT_PRECISE precise\n");
     oit_i_put(&text, "#define OIT_EXACT 0\n#define OIT_PREDICT 1\n#define OIT_BUDGET 2\n");
     oit_i_put(&text, "#define OIT_LINKED 3\n#define OIT_BUCKETED 4\n#define OIT_FETCH 5\n");
     oit_i_put(&text, "#define OIT_COLOR_8 0\n#define OIT_COLOR_HALF 1\n#define OIT_COLOR_FLOAT 2\n");
@@ -2592,6 +2806,8 @@ static void oit_i_host_source(oit_i_source *source, oit_stage stage, int fill, i
         return;
     }
     oit_i_add_chunks(source, oit_i_shader_oit_frame_block_glsl);
+    oit_i_add_chunks(source, oit_i_shader_oit_color_glsl);
+    oit_i_add_chunks(source, oit_i_shader_oit_tail_glsl);
     oit_i_add_chunks(source, oit_i_shader_oit_store_glsl);
 }
 
@@ -2690,13 +2906,14 @@ static void oit_i_compose_source(oit_i_source *source, int index, int mode, char
     }
     oit_i_add(source, scratch);
     oit_i_add_chunks(source, oit_i_shader_oit_frame_block_glsl);
-    if (!tail)
-        oit_i_add_chunks(source, oit_i_shader_oit_record_glsl);
-    oit_i_add_chunks(source, oit_i_shader_oit_behind_glsl);
     if (tail) {
+        oit_i_add_chunks(source, oit_i_shader_oit_behind_glsl);
         oit_i_add_chunks(source, oit_i_shader_oit_tail_frag);
         return;
     }
+    oit_i_add_chunks(source, oit_i_shader_oit_color_glsl);
+    oit_i_add_chunks(source, oit_i_shader_oit_record_glsl);
+    oit_i_add_chunks(source, oit_i_shader_oit_behind_glsl);
     oit_i_add_chunks(source, oit_i_shader_oit_compose_glsl);
     network = text.length + 1;
     text = oit_i_text_in(scratch + network, OIT_I_NETWORK_CAPACITY - network);
@@ -2709,21 +2926,28 @@ static void oit_i_compose_source(oit_i_source *source, int index, int mode, char
 }
 
 /* In the order of OIT_I_PROGRAM_*. */
-static const oit_i_strings oit_i_kernels[] = {oit_i_shader_oit_clear_comp,  oit_i_shader_oit_sum_comp,
-                                              oit_i_shader_oit_tops_comp,   oit_i_shader_oit_spread_comp,
-                                              oit_i_shader_oit_report_comp, oit_i_shader_oit_keep_comp,
-                                              oit_i_shader_oit_arrange_comp};
+static const oit_i_strings oit_i_kernels[] = {
+    oit_i_shader_oit_clear_comp,  oit_i_shader_oit_sum_comp,    oit_i_shader_oit_tops_comp,
+    oit_i_shader_oit_spread_comp, oit_i_shader_oit_report_comp, oit_i_shader_oit_predict_comp,
+    oit_i_shader_oit_settle_comp, oit_i_shader_oit_keep_comp,   oit_i_shader_oit_arrange_comp};
 
-static void oit_i_compute_source(oit_i_source *source, int program) {
+static void oit_i_compute_source(oit_i_source *source, int program, int async) {
     if (program == OIT_I_PROGRAM_TOPS || program == OIT_I_PROGRAM_SPREAD)
         oit_i_add(source, "#define OIT_SCANS 1\n");
-    oit_i_add_chunks(source, oit_i_shader_oit_frame_block_glsl);
-    if (program == OIT_I_PROGRAM_ARRANGE) {
+    if (program == OIT_I_PROGRAM_SETTLE)
+        oit_i_add(source, "#define OIT_SETTLES 1\n");
+    if (program == OIT_I_PROGRAM_ARRANGE)
         oit_i_add(source, "#define OIT_ARRANGES 1\n");
+    oit_i_add_chunks(source, oit_i_shader_oit_frame_block_glsl);
+    oit_i_add_chunks(source, oit_i_shader_oit_scan_glsl);
+    if (program == OIT_I_PROGRAM_SETTLE) {
+        oit_i_add_chunks(source, oit_i_shader_oit_color_glsl);
+        oit_i_add_chunks(source, oit_i_shader_oit_tail_glsl);
+        if (async)
+            oit_i_add_chunks(source, oit_i_shader_oit_record_glsl);
+    } else if (program == OIT_I_PROGRAM_ARRANGE) {
         oit_i_add_chunks(source, oit_i_shader_oit_record_glsl);
         oit_i_add_chunks(source, oit_i_shader_oit_buckets_glsl);
-    } else {
-        oit_i_add_chunks(source, oit_i_shader_oit_scan_glsl);
     }
     oit_i_add_chunks(source, oit_i_kernels[program]);
 }
@@ -2751,7 +2975,7 @@ static void oit_i_program_source(oit_i_source *source, int program, oit_stage st
     }
     oit_i_add_preamble(source, es, preamble);
     if (oit_i_is_compute(program)) {
-        oit_i_compute_source(source, program);
+        oit_i_compute_source(source, program, desc->fit == OIT_FIT_ASYNC);
     } else if (stage == OIT_VERTEX) {
         oit_i_add_chunks(source, oit_i_shader_oit_fullscreen_vert);
     } else {
@@ -2966,6 +3190,7 @@ static void oit_i_drop_buffers(oit_context *oit) {
         oit->sizes[i] = 0;
     }
     oit->capacity = 0;
+    oit->settled_width = 0;
 }
 
 OIT_I_API oit_result oit_release(oit_context *oit) {
@@ -3059,10 +3284,9 @@ static int oit_i_layers(const oit_context *oit, int64_t pixels) {
 /* Of the pixel buffer, laid out as shaders/oit_frame_block.glsl says. */
 static int64_t oit_i_pixel_bytes(const oit_context *oit, int64_t pixels) {
     int64_t words = OIT_I_HEADER_WORDS + 2 * pixels + 2 + (int64_t)oit_i_blocks(pixels);
+    words += (oit_i_own_words(&oit->desc) + oit_i_tail_words(&oit->desc)) * pixels;
     if (oit_i_keeps(&oit->desc))
-        words += (8 + (int64_t)oit->layers * oit_i_kept_words(&oit->desc)) * pixels;
-    else if (oit->desc.fit == OIT_FIT_ASYNC)
-        words += 4 * pixels;
+        words += (1 + (int64_t)oit->layers * oit_i_kept_words(&oit->desc)) * pixels;
     return 4 * words;
 }
 
@@ -3184,9 +3408,15 @@ static int oit_i_fence_passed(const oit_context *oit, oit_i_sync fence, int wait
     return 0;
 }
 
-/* Takes the reports whose frames are finished. The target must be borrowed. Returns whether one was new. */
-static int oit_i_take_reports(oit_context *oit, int wait) {
-    int slot, news = 0;
+/* OIT_STORE_PREDICT: what the pool should hold. What was counted takes half of it in the next frame, until more is known:
+   of few layers a run is twice as long as needed. */
+static void oit_i_note_places(oit_context *oit, const oit_i_u totals[OIT_I_HEADER_WORDS], int guessed) {
+    oit->places = guessed ? totals[5] : totals[0] > 0x7fffffffu ? 0xffffffffu : 2 * totals[0];
+}
+
+/* Takes the reports whose frames are finished. The target must be borrowed. */
+static void oit_i_take_reports(oit_context *oit, int wait) {
+    int slot;
     for (slot = 0; slot < OIT_I_REPORTS; ++slot) {
         oit_i_u totals[OIT_I_HEADER_WORDS];
         if (!oit->fences[slot] || !oit_i_fence_passed(oit, oit->fences[slot], wait))
@@ -3201,10 +3431,10 @@ static int oit_i_take_reports(oit_context *oit, int wait) {
         oit->report.lost_pixels = totals[2];
         oit->report.lost = totals[3];
         oit->report.extra = totals[4];
+        oit_i_note_places(oit, totals, oit->guessed[slot]);
         memcpy(oit->class_pixels, totals + 8, sizeof oit->class_pixels);
-        news = 1;
+        oit->news = 1;
     }
-    return news;
 }
 
 OIT_I_API oit_result oit_get_report(oit_context *oit, oit_report *report) {
@@ -3309,61 +3539,43 @@ static oit_i_block oit_i_make_block(const oit_context *oit) {
     block.pool[2] = oit->capacity;
     block.pool[3] = oit_i_blocks(pixels);
     block.step[0] = oit->slab_y == 0;
-    block.step[3] = (oit_i_u)oit->layers;
+    block.step[3] = oit_i_keeps(&oit->desc) ? (oit_i_u)oit->layers : (oit_i_u)oit->list->direct;
     oit_i_choose_programs(oit, &block);
     oit_i_unit_vector(block.light, frame->light);
     block.light[3] = weight == 0.0f ? 1.0f : weight < 0.0f ? 0.0f : weight > 1.0f ? 1.0f : weight;
     return block;
 }
 
+static int oit_i_draws(const oit_desc *desc, int dual) {
+    return ((desc->fields & OIT_FIELD_BLEND) && !dual ? 2 : 1) * (OIT_I_CLASSES + 1);
+}
+
 static int oit_i_compose_draws(const oit_context *oit) {
-    int two = (oit->desc.fields & OIT_FIELD_BLEND) && !oit->has_dual;
-    return (two ? 2 : 1) * (OIT_I_CLASSES + 1);
+    return oit_i_draws(&oit->desc, oit->has_dual);
 }
 
 /* Whether the store has passes for that program. */
-static int oit_i_uses_program(const oit_context *oit, int program) {
-    int draw = program - OIT_I_PROGRAM_COMPOSE, keeps = oit_i_keeps(&oit->desc);
+static int oit_i_uses_program(const oit_desc *desc, int dual, int program) {
+    int draw = program - OIT_I_PROGRAM_COMPOSE;
+    if (program == OIT_I_PROGRAM_PREDICT || program == OIT_I_PROGRAM_SETTLE)
+        return desc->store == OIT_STORE_PREDICT;
     if (program >= OIT_I_PROGRAM_SUM && program <= OIT_I_PROGRAM_SPREAD)
-        return !keeps;
+        return !oit_i_keeps(desc);
     if (program == OIT_I_PROGRAM_KEEP)
-        return keeps;
+        return oit_i_keeps(desc);
     if (program == OIT_I_PROGRAM_ARRANGE)
-        return oit->desc.store == OIT_STORE_BUCKETED;
+        return desc->store == OIT_STORE_BUCKETED;
     if (draw >= 0 && draw % (OIT_I_CLASSES + 1) == OIT_I_CLASSES) /* the tail */
-        return oit->desc.fit == OIT_FIT_ASYNC || keeps;
-    return draw < oit_i_compose_draws(oit);
+        return desc->fit == OIT_FIT_ASYNC || oit_i_keeps(desc);
+    return draw < oit_i_draws(desc, dual);
 }
 
 static oit_result oit_i_make_programs(oit_context *oit) {
     int i;
     oit_result result = OIT_OK;
     for (i = 0; i < OIT_I_PROGRAMS && result == OIT_OK; ++i)
-        if (oit_i_uses_program(oit, i))
+        if (oit_i_uses_program(&oit->desc, oit->has_dual, i))
             result = oit_i_make_program(oit, i);
-    return result;
-}
-
-/* All that a frame needs; in a steady one nothing is missing, and the block is the same. */
-static oit_result oit_i_prepare(oit_context *oit) {
-    oit_i_block block;
-    int32_t bound = oit_i_borrow_target(oit);
-    int news = oit_i_take_reports(oit, 0);
-    oit_result result = oit_i_make_programs(oit);
-    if (result == OIT_OK && !oit->vertex_array)
-        oit->gl.gl_GenVertexArrays(1, &oit->vertex_array);
-    if (result == OIT_OK && !oit->vertex_array)
-        result = oit_i_fail(&oit->desc, OIT_OUT_OF_MEMORY, "oit_begin", "no vertex array");
-    if (result == OIT_OK)
-        result = oit_i_make_buffers(oit);
-    if (result == OIT_OK && news && oit->desc.fit == OIT_FIT_ASYNC && !oit_i_keeps(&oit->desc) &&
-        oit_i_capacity_is_wrong(oit, oit->report.needed))
-        result = oit_i_set_capacity(oit, oit_i_with_quarter(oit->report.needed), "oit_begin");
-    if (result == OIT_OK) {
-        block = oit_i_make_block(oit);
-        result = oit_i_upload_block(oit, &block);
-    }
-    oit_i_return_target(oit, bound);
     return result;
 }
 
@@ -3371,14 +3583,31 @@ static oit_result oit_i_prepare(oit_context *oit) {
 
 /* The k nearest are chosen by their keys in a first geometry pass, and come in a second. */
 static const oit_i_list oit_i_budget = {
-    {OIT_I_STEP_CLEAR, OIT_I_STEP_COUNT, OIT_I_STEP_KEEP, OIT_I_STEP_FILL, OIT_I_STEP_FILLED}, OIT_I_STEP_FILL};
+    {OIT_I_STEP_CLEAR, OIT_I_STEP_COUNT, OIT_I_STEP_KEEP, OIT_I_STEP_FILL, OIT_I_STEP_FILLED}, OIT_I_STEP_FILL, 0};
 static const oit_i_list oit_i_bucketed = {
     {OIT_I_STEP_CLEAR, OIT_I_STEP_COUNT, OIT_I_STEP_KEEP, OIT_I_STEP_FILL, OIT_I_STEP_ARRANGE, OIT_I_STEP_FILLED},
-    OIT_I_STEP_FILL};
+    OIT_I_STEP_FILL,
+    0};
 
 static const oit_i_list oit_i_exact = {{OIT_I_STEP_CLEAR, OIT_I_STEP_COUNT, OIT_I_STEP_SUM, OIT_I_STEP_TOPS,
                                         OIT_I_STEP_SPREAD, OIT_I_STEP_MEASURE, OIT_I_STEP_FILL, OIT_I_STEP_FILLED},
-                                       OIT_I_STEP_FILL};
+                                       OIT_I_STEP_FILL,
+                                       0};
+
+/* OIT_STORE_PREDICT: filled into runs of guessed lengths; counted first; filled again because something did not fit. */
+static const oit_i_list oit_i_predicted = {{OIT_I_STEP_PREDICT, OIT_I_STEP_SUM, OIT_I_STEP_TOPS, OIT_I_STEP_SPREAD,
+                                            OIT_I_STEP_FILL, OIT_I_STEP_SETTLE, OIT_I_STEP_CHECK, OIT_I_STEP_FILLED},
+                                           OIT_I_STEP_FILL,
+                                           1};
+static const oit_i_list oit_i_counted = {{OIT_I_STEP_CLEAR, OIT_I_STEP_COUNT, OIT_I_STEP_SUM, OIT_I_STEP_TOPS,
+                                          OIT_I_STEP_SPREAD, OIT_I_STEP_MEASURE, OIT_I_STEP_FILL, OIT_I_STEP_SETTLE,
+                                          OIT_I_STEP_FILLED},
+                                         OIT_I_STEP_FILL,
+                                         0};
+static const oit_i_list oit_i_refilled = {{OIT_I_STEP_PREDICT, OIT_I_STEP_SUM, OIT_I_STEP_TOPS, OIT_I_STEP_SPREAD,
+                                           OIT_I_STEP_MEASURE, OIT_I_STEP_FILL, OIT_I_STEP_SETTLE, OIT_I_STEP_FILLED},
+                                          OIT_I_STEP_FILL,
+                                          0};
 
 /* The slab as one part. */
 static void oit_i_whole_part(oit_context *oit) {
@@ -3388,12 +3617,55 @@ static void oit_i_whole_part(oit_context *oit) {
     oit->part_start = 0;
 }
 
+/* Whether the pixel buffer has the counts of a frame of this size, and what they suggest may fit. */
+static int oit_i_can_predict(const oit_context *oit) {
+    oit_i_u most = (oit_i_u)(oit->desc.ceiling_bytes / oit_i_record_bytes(oit));
+    return !oit->frame.cut && oit->settled_width == oit->frame.width && oit->settled_height == oit->frame.height &&
+           (oit->desc.fit == OIT_FIT_ASYNC || oit->places <= most);
+}
+
 static void oit_i_start_slab(oit_context *oit) {
-    oit->list = oit->desc.store == OIT_STORE_BUDGET     ? &oit_i_budget
-                : oit->desc.store == OIT_STORE_BUCKETED ? &oit_i_bucketed
-                                                        : &oit_i_exact;
+    oit->list = &oit_i_exact;
+    if (oit->desc.store == OIT_STORE_PREDICT)
+        oit->list = oit_i_can_predict(oit) ? &oit_i_predicted : &oit_i_counted;
+    else if (oit->desc.store == OIT_STORE_BUDGET)
+        oit->list = &oit_i_budget;
+    else if (oit->desc.store == OIT_STORE_BUCKETED)
+        oit->list = &oit_i_bucketed;
+    oit->settled_width = 0;
     oit->step = (oit_i_step)oit->list->steps[0];
     oit_i_whole_part(oit);
+}
+
+/* All that a frame needs; in a steady one nothing is missing, and the block is the same. */
+static oit_result oit_i_prepare(oit_context *oit) {
+    oit_i_block block;
+    oit_i_u needed;
+    int32_t bound = oit_i_borrow_target(oit);
+    oit_result result;
+    int news;
+    oit_i_take_reports(oit, 0);
+    news = oit->news;
+    oit->news = 0;
+    result = oit_i_make_programs(oit);
+    if (result == OIT_OK && !oit->vertex_array)
+        oit->gl.gl_GenVertexArrays(1, &oit->vertex_array);
+    if (result == OIT_OK && !oit->vertex_array)
+        result = oit_i_fail(&oit->desc, OIT_OUT_OF_MEMORY, "oit_begin", "no vertex array");
+    if (result == OIT_OK)
+        result = oit_i_make_buffers(oit);
+    needed = oit->desc.store == OIT_STORE_PREDICT ? oit->places : oit->report.needed;
+    if (result == OIT_OK && !oit_i_keeps(&oit->desc) &&
+        (oit->desc.fit == OIT_FIT_ASYNC ? news : oit->desc.store == OIT_STORE_PREDICT) &&
+        oit_i_capacity_is_wrong(oit, needed))
+        result = oit_i_set_capacity(oit, oit_i_with_quarter(needed), "oit_begin");
+    if (result == OIT_OK) {
+        oit_i_start_slab(oit);
+        block = oit_i_make_block(oit);
+        result = oit_i_upload_block(oit, &block);
+    }
+    oit_i_return_target(oit, bound);
+    return result;
 }
 
 static int oit_i_free_slot(oit_context *oit) {
@@ -3436,7 +3708,6 @@ OIT_I_API oit_result oit_begin(oit_context *oit, const oit_frame *frame) {
         }
         ++oit->frame_number;
         oit->slot = oit_i_free_slot(oit);
-        oit_i_start_slab(oit);
     }
     oit->in_frame = 1;
     return OIT_OK;
@@ -3453,7 +3724,9 @@ OIT_I_API oit_result oit_begin(oit_context *oit, const oit_frame *frame) {
      spread   pixels: sums, counts read; starts written (and the tail cleared)   tops
      report   pixels: totals read; report written     spread (totals), fill and compose (extra, at the end)
      fill     pixels: starts read, counts atomics; fragments written             spread; compose of the band before
-     compose  pixels, fragments           read        fill
+     compose  pixels, fragments           read        fill; settle (how many came, the tail)
+     predict  pixels: own words, counts read; starts, totals, tail written    settle and report of the frame before
+     settle   pixels: starts, counts read; own words, totals, tail written; fragments read    fill
 
    Of the stores that keep the k nearest:
 
@@ -3480,6 +3753,10 @@ static oit_i_u oit_i_barrier_before(oit_pass_kind kind) {
     case OIT_PASS_REPORT:
         return OIT_I_GL_SHADER_STORAGE_BARRIER;
     case OIT_PASS_FILL:
+        return OIT_I_GL_SHADER_STORAGE_BARRIER;
+    case OIT_PASS_PREDICT:
+        return OIT_I_GL_SHADER_STORAGE_BARRIER;
+    case OIT_PASS_SETTLE:
         return OIT_I_GL_SHADER_STORAGE_BARRIER;
     case OIT_PASS_KEEP:
         return OIT_I_GL_SHADER_STORAGE_BARRIER;
@@ -3512,6 +3789,10 @@ static int oit_i_program_of(const oit_context *oit, oit_pass_kind kind) {
         return OIT_I_PROGRAM_SPREAD;
     case OIT_PASS_REPORT:
         return OIT_I_PROGRAM_REPORT;
+    case OIT_PASS_PREDICT:
+        return OIT_I_PROGRAM_PREDICT;
+    case OIT_PASS_SETTLE:
+        return OIT_I_PROGRAM_SETTLE;
     case OIT_PASS_KEEP:
         return OIT_I_PROGRAM_KEEP;
     case OIT_PASS_ARRANGE:
@@ -3656,25 +3937,49 @@ static oit_result oit_i_next_part(oit_context *oit, int first) {
     return result;
 }
 
+/* The target must be borrowed. */
+static oit_result oit_i_read_measure(oit_context *oit, oit_i_u totals[OIT_I_HEADER_WORDS]) {
+    oit->gl.gl_MemoryBarrier(OIT_I_GL_BUFFER_UPDATE_BARRIER);
+    if (!oit_i_read_totals(oit, oit->slot, totals))
+        return oit_i_fail(&oit->desc, OIT_OUT_OF_MEMORY, "oit_next_pass", "the report cannot be mapped");
+    oit->deepest = totals[1];
+    memcpy(oit->class_pixels, totals + 8, sizeof oit->class_pixels);
+    return OIT_OK;
+}
+
 /* OIT_FIT_WAIT: how much the slab needs is read, and the pool made to hold it if that may be. */
 static oit_result oit_i_measure(oit_context *oit) {
     oit_i_u totals[OIT_I_HEADER_WORDS];
     int32_t bound = oit_i_borrow_target(oit);
-    oit_result result = OIT_OK;
-    oit->gl.gl_MemoryBarrier(OIT_I_GL_BUFFER_UPDATE_BARRIER);
-    if (!oit_i_read_totals(oit, oit->slot, totals))
-        result = oit_i_fail(&oit->desc, OIT_OUT_OF_MEMORY, "oit_next_pass", "the report cannot be mapped");
-    else if (totals[5] == 0xffffffffu)
+    oit_result result = oit_i_read_measure(oit, totals);
+    if (result == OIT_OK && totals[5] == 0xffffffffu)
         result = oit_i_fail(&oit->desc, OIT_TOO_LARGE, "oit_next_pass", "2^32 fragments or more");
     if (result == OIT_OK) {
         oit->needed = totals[5];
-        oit->deepest = totals[1];
-        memcpy(oit->class_pixels, totals + 8, sizeof oit->class_pixels);
+        if (oit->list == &oit_i_counted)
+            oit_i_note_places(oit, totals, 0);
         if (oit_i_capacity_is_wrong(oit, oit->needed))
             result = oit_i_set_capacity(oit, oit_i_with_quarter(oit->needed), "oit_next_pass");
     }
     oit_i_return_target(oit, bound);
     return result;
+}
+
+/* OIT_FIT_WAIT, and runs were guessed: where something did not fit, all is filled again, from the counts. */
+static oit_result oit_i_check_fit(oit_context *oit) {
+    oit_i_u totals[OIT_I_HEADER_WORDS];
+    int32_t bound = oit_i_borrow_target(oit);
+    oit_result result = oit_i_read_measure(oit, totals);
+    oit_i_return_target(oit, bound);
+    oit->needed = 0; /* the pool is large enough for what it holds */
+    if (result != OIT_OK)
+        return result;
+    oit_i_note_places(oit, totals, 1);
+    if (totals[2] > 0) {
+        oit->list = &oit_i_refilled;
+        oit->step = (oit_i_step)oit->list->steps[0];
+    }
+    return OIT_OK;
 }
 
 static oit_result oit_i_next_slab(oit_context *oit) {
@@ -3693,6 +3998,10 @@ static oit_result oit_i_next_slab(oit_context *oit) {
 static int oit_i_is_last_part(const oit_context *oit) {
     return oit_i_part_end(oit) == oit->frame.width * oit->slab_rows &&
            oit->slab_y + oit->slab_rows == oit->frame.height;
+}
+
+static int oit_i_is_whole(const oit_context *oit) {
+    return oit->part[0] == 0 && oit->part[1] == 0 && oit_i_is_last_part(oit) && oit->slab_y == 0;
 }
 
 /* A program is drawn where it serves an eighth of the pixels or more, and that of the deepest ones; the pixels of one that
@@ -3734,12 +4043,19 @@ static oit_result oit_i_after_part(oit_context *oit) {
 /* The pass of the present step. Returns 0 where there is none. */
 static int oit_i_kind_of_step(const oit_context *oit, oit_pass_kind *kind) {
     static const oit_pass_kind kinds[OIT_I_STEP_DONE] = {
-        OIT_PASS_CLEAR, OIT_PASS_COUNT, OIT_PASS_SUM,     OIT_PASS_TOPS,   OIT_PASS_SPREAD, OIT_PASS_REPORT,
-        OIT_PASS_FILL,  OIT_PASS_FILL,  OIT_PASS_COMPOSE, OIT_PASS_REPORT, OIT_PASS_KEEP,   OIT_PASS_ARRANGE};
+        OIT_PASS_CLEAR,  OIT_PASS_COUNT,   OIT_PASS_SUM,    OIT_PASS_TOPS,   OIT_PASS_SPREAD,
+        OIT_PASS_REPORT, OIT_PASS_PREDICT, OIT_PASS_SETTLE, OIT_PASS_REPORT, OIT_PASS_FILL,
+        OIT_PASS_FILL,   OIT_PASS_COMPOSE, OIT_PASS_REPORT, OIT_PASS_KEEP,   OIT_PASS_ARRANGE};
     if (oit->step == OIT_I_STEP_FILLED || oit->step == OIT_I_STEP_DONE)
         return 0;
     *kind = kinds[(int)oit->step];
     return 1;
+}
+
+static int oit_i_has_step(const oit_context *oit, oit_i_step step) {
+    if (step == OIT_I_STEP_MEASURE || step == OIT_I_STEP_CHECK)
+        return oit->desc.fit == OIT_FIT_WAIT;
+    return step != OIT_I_STEP_SETTLE || oit_i_is_last_part(oit);
 }
 
 /* After the present step's pass. */
@@ -3750,11 +4066,15 @@ static void oit_i_advance(oit_context *oit) {
     } else if (oit->step == OIT_I_STEP_REPORT) {
         oit->step = OIT_I_STEP_DONE;
     } else {
+        if (oit->step == OIT_I_STEP_SETTLE && oit_i_is_whole(oit)) {
+            oit->settled_width = oit->frame.width;
+            oit->settled_height = oit->frame.height;
+        }
         while (*at != (unsigned char)oit->step)
             ++at;
         do
             oit->step = (oit_i_step) * ++at;
-        while (oit->step == OIT_I_STEP_MEASURE && oit->desc.fit == OIT_FIT_ASYNC);
+        while (!oit_i_has_step(oit, oit->step));
         if (oit->step == OIT_I_STEP_FILLED && !oit_i_is_last_part(oit))
             oit_i_start_composing(oit);
     }
@@ -3762,7 +4082,7 @@ static void oit_i_advance(oit_context *oit) {
 
 OIT_I_API int oit_next_pass(oit_context *oit, oit_pass *pass) {
     oit_pass_kind kind;
-    int measures;
+    oit_i_step step;
     if (!oit || !pass || !oit->in_frame)
         return 0;
     while (oit->failure == OIT_OK) {
@@ -3782,14 +4102,14 @@ OIT_I_API int oit_next_pass(oit_context *oit, oit_pass *pass) {
             oit->gl.gl_MemoryBarrier(pass->barriers);
         if (oit->desc.state != OIT_STATE_NONE)
             oit_i_apply(oit, &pass->state);
-        measures = oit->step == OIT_I_STEP_MEASURE;
+        step = oit->step;
         oit_i_advance(oit);
         if (oit->desc.state == OIT_STATE_NONE || oit_i_is_hosts(kind))
             return 1;
         oit_i_execute(oit, &pass->state);
-        if (measures)
-            oit->failure = oit_i_measure(oit);
-        if (measures && oit->failure == OIT_OK)
+        if (step == OIT_I_STEP_MEASURE || step == OIT_I_STEP_CHECK)
+            oit->failure = step == OIT_I_STEP_MEASURE ? oit_i_measure(oit) : oit_i_check_fit(oit);
+        if ((step == OIT_I_STEP_MEASURE || step == OIT_I_STEP_CHECK) && oit->failure == OIT_OK)
             oit->failure = oit_i_next_part(oit, 0);
     }
     return 0;
@@ -3823,6 +4143,7 @@ OIT_I_API oit_result oit_end(oit_context *oit) {
         pending->frame = oit->frame_number;
         pending->capacity = oit->capacity;
         pending->bands = oit->bands;
+        oit->guessed[oit->slot] = oit->list->direct;
         pending->layers = (uint32_t)oit->layers;
         oit->gl.gl_MemoryBarrier(OIT_I_GL_BUFFER_UPDATE_BARRIER);
         oit->fences[oit->slot] = oit->gl.gl_FenceSync(OIT_I_GL_SYNC_GPU_COMMANDS_COMPLETE, 0);

@@ -10,21 +10,21 @@ void main()
     uint first = block * OIT_BLOCK + gl_LocalInvocationID.x;
     for (uint i = 0u; i < 8u; ++i) {
         uint p = first + 128u * i;
-        if (p < oit_pool.x)
-            oit_pixel[OIT_LEFT(p)] = 0u;
+        if (p >= oit_pool.x)
+            continue;
+        oit_pixel[OIT_WANTED(p)] = 0u;
+#if OIT_KEEPS
+        oit_pixel[OIT_LIMIT(p)] = OIT_NONE;
+#endif
+#if OIT_TAIL_WORDS == 6
+        for (uint c = 0u; c < uint(OIT_TAIL_WORDS); ++c)
+            oit_pixel[OIT_TAIL(p) + c] = 0u;
+#endif
     }
 #if OIT_KEEPS
     uint each = OIT_LAYERS + 1u, end = min((block + 1u) * OIT_BLOCK, oit_pool.x) * each;
     for (uint i = block * OIT_BLOCK * each + gl_LocalInvocationID.x; i < end; i += 128u)
         oit_pixel[OIT_KEY(0u, i)] = OIT_NONE;
-    for (uint i = 0u; i < 8u; ++i) {
-        uint p = first + 128u * i;
-        if (p >= oit_pool.x)
-            break;
-        oit_pixel[OIT_LIMIT(p)] = OIT_NONE;
-        for (uint c = 0u; c < 6u; ++c)
-            oit_pixel[OIT_TAIL(p) + c] = 0u;
-    }
 #endif
     if (oit_step.x != 0u && first < OIT_HEADER)
         oit_pixel[first] = 0u;

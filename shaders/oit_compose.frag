@@ -53,7 +53,7 @@ void oit_lay_tail(uint p)
 {
     if (oit_pixel[OIT_LIMIT(p)] == OIT_NONE)
         return;
-    vec4 tail = oit_tail_light(oit_tail_sums(p));
+    vec4 tail = oit_tail_light(oit_tail_sums(p, 0u));
     oit_sum += oit_through * tail.rgb;
     oit_through *= tail.a;
 }
@@ -66,6 +66,10 @@ void main()
     uint start = oit_pixel[OIT_START(p)], end = oit_pixel[OIT_START(p + 1u)];
 #if OIT_ASYNC
     if (end > oit_pool.z)
+        discard;
+#endif
+#if OIT_ASYNC && OIT_STORE == OIT_PREDICT
+    if (int(oit_pixel[OIT_LEFT(p)]) < 0)
         discard;
 #endif
     // Fragments that were counted and did not come have left the first places empty.

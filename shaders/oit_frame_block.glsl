@@ -5,13 +5,15 @@ layout(std140, binding = OIT_UNIFORM_BINDING) uniform oit_frame
     highp ivec4 oit_area;  // x, y of the slab's corner in the target, its width and height
     highp uvec4 oit_pool;  // x: pixels of the slab, y: first fragment of the band, z: capacity, w: blocks of the scan
     highp uvec4 oit_step;  // x: 1 with the first slab of a frame, y: what is deeper is left to the program for all depths,
-                           // w: k of the stores that keep the k nearest
+                           // w: 1 where the fragments are stored before they are counted; or k, of the stores that
+                           // keep the k nearest
     highp uvec4 oit_above; // what is not deeper than this is left to the program before: of up to 8, 16, 32, 64
     highp vec4 oit_light;  // xyz: toward the light, unit length; zero: no shading. w: weight of the background
 };
 
 // The pixel buffer: 16 words of totals, then two words a pixel (where its run starts; how many fragments are still to
-// come), one more start, a word for each block of the scan, and four words a pixel for the tail.
+// come), one more start, a word for each block of the scan, a word a pixel where the store has one of its own, and four or
+// six words a pixel for the tail; and what the stores that keep the k nearest choose them by.
 #define OIT_NEEDED 0u      // fragments of the slab that needs most
 #define OIT_DEEPEST 1u     // fragments of the deepest pixel
 #define OIT_LOST_PIXELS 2u // pixels that are composed from the tail
@@ -23,22 +25,32 @@ layout(std140, binding = OIT_UNIFORM_BINDING) uniform oit_frame
 #define OIT_START(p) (OIT_HEADER + 2u * (p))
 #define OIT_LEFT(p) (OIT_HEADER + 1u + 2u * (p))
 #define OIT_SUM(b) (OIT_HEADER + 2u + 2u * oit_pool.x + (b))
-#define OIT_MORE (OIT_HEADER + 2u + 2u * oit_pool.x + oit_pool.w)
-#if OIT_KEEPS
-// With the stores that keep the k nearest: six words a pixel for the tail, the limit (keys from there on are not kept),
-// k + 1 keys; and k buckets of two words: a part, and which records it has.
-#define OIT_LAYERS oit_step.w
-#define OIT_TAIL(p) (OIT_MORE + 6u * (p))
-#define OIT_LIMIT(p) (OIT_MORE + 6u * oit_pool.x + (p))
-#define OIT_KEY(p, i) (OIT_MORE + 7u * oit_pool.x + (p) * (OIT_LAYERS + 1u) + (i))
-#define OIT_BUCKET(p, i) (OIT_MORE + (8u + OIT_LAYERS) * oit_pool.x + 2u * ((p) * OIT_LAYERS + (i)))
+#define OIT_OWN(p) (OIT_HEADER + 2u + 2u * oit_pool.x + oit_pool.w + (p))
+#define OIT_TAIL(p) (OIT_OWN(0u) + uint(OIT_OWN_WORDS) * oit_pool.x + uint(OIT_TAIL_WORDS) * (p))
+#define OIT_DIRECT (oit_step.w != 0u)
+
+// Where the scan finds how long the run of a pixel shall be. OIT_STORE_PREDICT keeps how many fragments came in the frame
+// before, and needs no place for its guess but that where the scan writes the start.
+#if OIT_STORE == OIT_PREDICT
+#define OIT_SEEN(p) OIT_OWN(p)
+#define OIT_WANTED(p) OIT_START(p)
 #else
-#define OIT_TAIL(p) (OIT_MORE + 4u * (p))
+#define OIT_WANTED(p) OIT_LEFT(p)
+#endif
+
+#if OIT_KEEPS
+// Where keys begin that are not kept; k + 1 keys; and k buckets of two words: a part, and which records it has.
+#define OIT_LAYERS oit_step.w
+#define OIT_LIMIT(p) OIT_OWN(p)
+#define OIT_KEY(p, i) (OIT_TAIL(oit_pool.x) + (p) * (OIT_LAYERS + 1u) + (i))
+#define OIT_BUCKET(p, i) (OIT_KEY(oit_pool.x, 0u) + 2u * ((p) * OIT_LAYERS + (i)))
 #endif
 #define OIT_NONE 0xffffffffu
 
 // With what is to come of a pixel whose run does not fit. A pixel has less than 2^30 fragments.
 #define OIT_UNFIT 0x40000000u
+// How many places are left, without that; negative: so many came too much.
+#define OIT_TRUE_LEFT(left) (int(left) - (OIT_ASYNC == 1 && int(left) >= 0x20000000 ? 0x40000000 : 0))
 
 // A block of the scan: 128 invocations of 8 pixels each.
 #define OIT_BLOCK 1024u

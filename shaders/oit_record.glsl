@@ -1,8 +1,8 @@
 // For: oit_buffers.h
 // Records read back: the order of two, colour, how it is laid over what is behind.
-#ifdef OIT_ARRANGES
+#if defined(OIT_ARRANGES)
 layout(std430, binding = OIT_BINDING_PIXELS) buffer oit_pixels { uint oit_pixel[]; };
-#else
+#elif !defined(OIT_SETTLES)
 layout(std430, binding = OIT_BINDING_PIXELS) readonly buffer oit_pixels { uint oit_pixel[]; };
 #endif
 layout(std430, binding = OIT_BINDING_FRAGMENTS) readonly buffer oit_fragments { OIT_VECTOR oit_data[]; };
@@ -28,17 +28,6 @@ uint oit_record_depth(uint at)
     return oit_data[at].x;
 }
 
-vec4 oit_unpack_color(uvec4 w)
-{
-#if OIT_COLOR == OIT_COLOR_8
-    return vec4(vec3(uvec3(w.x, w.x >> 10u, w.x >> 20u) & 1023u) * (1.0 / 1023.0), uintBitsToFloat(w.y));
-#elif OIT_COLOR == OIT_COLOR_HALF
-    return vec4(unpackHalf2x16(w.x), unpackHalf2x16(w.y));
-#else
-    return uintBitsToFloat(w);
-#endif
-}
-
 // The words of the colour; of one vector where they lie in one, which some drivers load much faster.
 uvec4 oit_record_words(uint at)
 {
@@ -52,3 +41,18 @@ uvec4 oit_record_words(uint at)
                  OIT_WORD(at, OIT_AT_COLOR + 3));
 #endif
 }
+
+#ifdef OIT_SETTLES
+// What the record adds to the tail.
+vec4 oit_record_amounts(uint at)
+{
+    uvec4 words = oit_record_words(at);
+#if OIT_HAS_BLEND && OIT_COLOR == OIT_COLOR_8
+    return oit_tail_amounts(oit_unpack_color(words), words.x >> 30u);
+#elif OIT_HAS_BLEND
+    return oit_tail_amounts(oit_unpack_color(words), OIT_WORD(at, OIT_AT_BLEND));
+#else
+    return oit_tail_amounts(oit_unpack_color(words), 0u);
+#endif
+}
+#endif

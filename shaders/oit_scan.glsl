@@ -5,6 +5,12 @@ uint oit_add(uint a, uint b)
     uint sum = a + b;
     return sum < a ? 0xffffffffu : sum;
 }
+
+// 0 for up to 8, then one more for each doubling.
+uint oit_class(uint count)
+{
+    return count <= 8u ? 0u : min(uint(findMSB(count - 1u)) - 2u, 4u);
+}
 #ifdef OIT_SCANS
 shared uint oit_scanned[128];
 

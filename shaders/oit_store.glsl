@@ -3,11 +3,6 @@
 // one record of OIT_VECTORS vectors into the pixel's run. Records are written so that their words, compared one after the
 // other, give the order in which they are composed: depth, part, key, and all else for fragments that tie.
 layout(early_fragment_tests) in;
-#if OIT_KEEPS && OIT_PASS == OIT_COUNT
-layout(std430, binding = OIT_BINDING_PIXELS) coherent buffer oit_pixels { uint oit_pixel[]; };
-#else
-layout(std430, binding = OIT_BINDING_PIXELS) buffer oit_pixels { uint oit_pixel[]; };
-#endif
 #if OIT_PASS == OIT_FILL
 layout(std430, binding = OIT_BINDING_FRAGMENTS) writeonly buffer oit_fragments { OIT_VECTOR oit_data[]; };
 #endif
@@ -127,10 +122,9 @@ uint oit_pack_normal(vec3 n)
 }
 #endif
 
-void oit_write(uint at, oit_fragment f)
+void oit_pack(oit_fragment f, out uint w[OIT_VECTORS * OIT_LANES])
 {
     vec4 color = oit_finite(f.color);
-    uint w[OIT_VECTORS * OIT_LANES];
     for (int i = 0; i < OIT_VECTORS * OIT_LANES; ++i)
         w[i] = 0u;
     w[0] = oit_depth_bits();
@@ -169,6 +163,10 @@ void oit_write(uint at, oit_fragment f)
     for (int i = 0; i < OIT_HOST_WORDS; ++i)
         w[OIT_AT_HOST + i] = f.words[i];
 #endif
+}
+
+void oit_write(uint at, uint w[OIT_VECTORS * OIT_LANES])
+{
     for (int i = 0; i < OIT_VECTORS; ++i)
 #if OIT_LANES == 4
         oit_data[at + uint(i)] = uvec4(w[4 * i], w[4 * i + 1], w[4 * i + 2], w[4 * i + 3]);
@@ -177,58 +175,46 @@ void oit_write(uint at, oit_fragment f)
 #endif
 }
 
-#if OIT_ASYNC || OIT_KEEPS
-// The tail: sums that do not depend on the order, in integers so that rounding does not either. The layers of a pixel are
-// taken as mixed evenly: optical depths add, colours are weighted by them. Colours up to 4 and optical depths up to 11 make
-// less than 64 a fragment.
-vec4 oit_tail_parts(oit_fragment f)
-{
-    vec4 color = oit_finite(f.color);
-    float thickness = min(-log(1.0 - min(color.a, 0.999999)), 11.0);
-    vec3 c = clamp(color.rgb, 0.0, 4.0);
-#if OIT_PREMULTIPLIED
-    c = color.a > 0.0 ? min(c / color.a, vec3(4.0)) : c;
-    float weight = color.a > 0.0 ? thickness : 1.0;
-#else
-    float weight = thickness;
-#endif
-#if OIT_HAS_BLEND
-    if (f.blend == OIT_BLEND_ADD) {
-        weight = OIT_PREMULTIPLIED == 1 ? max(color.a, 1.0e-6) : color.a;
-        thickness = 0.0;
-    } else if (f.blend == OIT_BLEND_MULTIPLY) {
-        float keep = 1.0 - color.a + color.a * min((c.r + c.g + c.b) / 3.0, 1.0);
-        thickness = min(-log(max(keep, 1.0e-6)), 11.0);
-        weight = 0.0;
-    }
-#endif
-    return vec4(c * weight, thickness);
-}
-
-#if OIT_KEEPS
-// In units of 2^-26, with 16 more bits by carries: how many there are follows from the sum alone. A fragment makes less
-// than one, so that 65,535 fragments do not overflow.
-void oit_to_tail(uint p, oit_fragment f)
-{
-    uvec4 parts = uvec4(oit_tail_parts(f) * 67108864.0 + 0.5);
-    for (uint c = 0u; c < 4u; ++c) {
-        uint before = atomicAdd(oit_pixel[OIT_TAIL(p) + c], parts[c]);
-        if (before > 0xffffffffu - parts[c])
-            atomicAdd(oit_pixel[OIT_TAIL(p) + 4u + (c >> 1u)], 1u << (16u * (c & 1u)));
-    }
-}
-#else
-// Bits are shared out by the count of the pixel, so that no sum overflows.
+#if OIT_ASYNC && OIT_TAIL_WORDS == 4
+// Bits are shared out by the count of the pixel, so that no sum overflows: less than 64 a fragment.
 void oit_to_tail(uint p, uint count, oit_fragment f)
 {
     float scale = exp2(float(26 - findMSB(count) - 1));
-    uvec4 parts = uvec4(oit_tail_parts(f) * scale + 0.5);
+#if OIT_HAS_BLEND
+    vec4 amounts = oit_tail_amounts(oit_finite(f.color), f.blend);
+#else
+    vec4 amounts = oit_tail_amounts(oit_finite(f.color), OIT_BLEND_OVER);
+#endif
+    uvec4 parts = uvec4(amounts * scale + 0.5);
     atomicAdd(oit_pixel[OIT_TAIL(p)], parts.r);
     atomicAdd(oit_pixel[OIT_TAIL(p) + 1u], parts.g);
     atomicAdd(oit_pixel[OIT_TAIL(p) + 2u], parts.b);
     atomicAdd(oit_pixel[OIT_TAIL(p) + 3u], parts.a);
 }
+#elif OIT_KEEPS
+void oit_to_tail(uint p, oit_fragment f)
+{
+#if OIT_HAS_BLEND
+    oit_add_to_tail(p, oit_tail_amounts(oit_finite(f.color), f.blend));
+#else
+    oit_add_to_tail(p, oit_tail_amounts(oit_finite(f.color), OIT_BLEND_OVER));
 #endif
+}
+#elif OIT_ASYNC
+// With the colour as it would be read back: what is stored of the same pixel is added by others from there.
+void oit_to_tail(uint p, oit_fragment f, uint w[OIT_VECTORS * OIT_LANES])
+{
+#if OIT_COLOR == OIT_COLOR_FLOAT
+    vec4 color = oit_unpack_color(uvec4(w[OIT_AT_COLOR], w[OIT_AT_COLOR + 1], w[OIT_AT_COLOR + 2], w[OIT_AT_COLOR + 3]));
+#else
+    vec4 color = oit_unpack_color(uvec4(w[OIT_AT_COLOR], w[OIT_AT_COLOR + 1], 0u, 0u));
+#endif
+#if OIT_HAS_BLEND
+    oit_add_to_tail(p, oit_tail_amounts(color, f.blend));
+#else
+    oit_add_to_tail(p, oit_tail_amounts(color, OIT_BLEND_OVER));
+#endif
+}
 #endif
 #endif
 
@@ -238,7 +224,7 @@ void oit_store(oit_fragment f)
 #if OIT_KEEPS && OIT_PASS == OIT_COUNT
     oit_select(p, oit_key(f));
 #elif OIT_PASS == OIT_COUNT
-    atomicAdd(oit_pixel[OIT_LEFT(p)], 1u);
+    atomicAdd(oit_pixel[OIT_WANTED(p)], 1u);
 #else
 #if OIT_KEEPS
     if (oit_key(f) >= oit_pixel[OIT_LIMIT(p)]) {
@@ -247,7 +233,7 @@ void oit_store(oit_fragment f)
     }
 #endif
     uint left = atomicAdd(oit_pixel[OIT_LEFT(p)], 0xffffffffu);
-#if OIT_ASYNC
+#if OIT_ASYNC && OIT_STORE == OIT_EXACT
     if (left >> 30u == 1u) { // OIT_UNFIT, and not what wraps below 0
         uint count = oit_pixel[OIT_START(p + 1u)] - oit_pixel[OIT_START(p)];
         if (left != OIT_UNFIT)
@@ -259,12 +245,18 @@ void oit_store(oit_fragment f)
 #endif
     // Nothing is written outside of the run, however many fragments come: after as many as were counted, what is left is
     // 0, and then wraps to more than any pool holds.
+    uint w[OIT_VECTORS * OIT_LANES];
+    oit_pack(f, w);
     uint slot = oit_pixel[OIT_START(p)] + left - 1u - oit_pool.y;
     if (left - 1u >= oit_pool.z || slot >= oit_pool.z) {
+#if OIT_STORE != OIT_PREDICT
         atomicAdd(oit_pixel[OIT_EXTRA], 1u);
+#elif OIT_ASYNC
+        oit_to_tail(p, f, w);
+#endif
         return;
     }
-    oit_write(slot * uint(OIT_VECTORS), f);
+    oit_write(slot * uint(OIT_VECTORS), w);
 #endif
 }
 

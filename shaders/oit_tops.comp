@@ -20,6 +20,7 @@ void main()
     if (self == 127u) {
         oit_pixel[OIT_START(oit_pool.x)] = before;
         oit_pixel[OIT_TOTAL] = before;
-        oit_pixel[OIT_NEEDED] = max(oit_pixel[OIT_NEEDED], before);
+        if (OIT_STORE != OIT_PREDICT || !OIT_DIRECT)
+            oit_pixel[OIT_NEEDED] = max(oit_pixel[OIT_NEEDED], before);
     }
 }

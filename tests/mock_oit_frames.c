@@ -522,6 +522,11 @@ static const oit_desc descs[] = {
     {.fit = OIT_FIT_WAIT, .ceiling_bytes = 16 * 9},      /* bands of parts of rows */
     {.fit = OIT_FIT_WAIT, .max_block_bytes = 9000},      /* slabs */
     {.fit = OIT_FIT_ASYNC, .max_block_bytes = 12000},    /* slabs */
+    {.store = OIT_STORE_PREDICT},
+    {.store = OIT_STORE_PREDICT, .fit = OIT_FIT_ASYNC},
+    {.store = OIT_STORE_PREDICT, .fit = OIT_FIT_ASYNC, .state = OIT_STATE_NONE},
+    {.store = OIT_STORE_PREDICT, .ceiling_bytes = 64 * 16 * 9},
+    {.store = OIT_STORE_PREDICT, .fit = OIT_FIT_ASYNC, .max_block_bytes = 15000},
 };
 
 /* tear_down fails where a barrier was missing. */
@@ -534,8 +539,9 @@ static void test_barriers(void **state) {
             set_totals(64 * 48 * 2, 300);
             for (int run = 0; run < 4; ++run) {
                 int passes = 0;
+                driver.totals[2] = run == 2; /* a pixel that did not fit: OIT_STORE_PREDICT fills again */
                 assert_int_equal(draw_frame(oit, &frame, &passes), OIT_OK);
-                assert_true(passes >= 2);
+                assert_true(passes >= (descs[i].store == OIT_STORE_EXACT ? 2 : 1));
                 driver.finished = driver.now;
             }
             oit_destroy(oit);
@@ -632,7 +638,9 @@ static void test_wait_waits_once(void **state) {
  * works. */
 static void test_every_creation_refused(void **state) {
     (void)state;
-    for (size_t i = 0; i < 4; ++i) {
+    for (size_t i = 0; i < sizeof descs / sizeof descs[0]; ++i) {
+        if (descs[i].ceiling_bytes || descs[i].max_block_bytes)
+            continue;
         long total = 1;
         for (long refused = 1; refused <= total; ++refused) {
             set_up(state);
@@ -712,6 +720,59 @@ static void test_no_memory_mid_growth(void **state) {
     oit_destroy(oit);
 }
 
+/* Growth that finds no memory in the second frame, whatever the store; the third works. */
+static void test_no_memory_for_growth_of_any_store(void **state) {
+    (void)state;
+    for (size_t i = 0; i < sizeof descs / sizeof descs[0]; ++i) {
+        if (descs[i].ceiling_bytes || descs[i].max_block_bytes)
+            continue;
+        oit_context *oit = make(descs[i]);
+        for (int run = 0; run < 6; ++run) {
+            set_totals(run < 2 ? 3000 : 300000, 20);
+            driver.pixel_starts = run < 2 ? 1 : 2;
+            driver.memory = run == 2 || run == 3 ? 8 : 0;
+            oit_result result = draw_frame(oit, &frame, NULL);
+            assert_true(result == OIT_OK || (result == OIT_OUT_OF_MEMORY && driver.memory));
+            assert_int_equal(driver.copy_target, 78);
+            driver.finished = driver.now;
+        }
+        assert_true(oit->capacity >= 300000);
+        oit_destroy(oit);
+        driver.call_count = 0;
+    }
+}
+
+/* OIT_STORE_PREDICT with OIT_FIT_WAIT: one read-back a frame, after the fill; two more passes and one more read-back where
+ * something did not fit; and the first frame is counted. */
+static void test_predicted_frames(void **state) {
+    static const oit_pass_kind expected[3][4] = {
+        {OIT_PASS_COUNT, OIT_PASS_FILL}, {OIT_PASS_FILL}, {OIT_PASS_FILL, OIT_PASS_FILL}};
+    (void)state;
+    oit_desc desc = {.store = OIT_STORE_PREDICT};
+    oit_context *oit = make(desc);
+    oit_frame f = frame;
+    set_totals(5000, 10);
+    for (int run = 0; run < 8; ++run) {
+        int kind = run == 0 || run == 5 || run == 7 ? 0 : run == 3 ? 2 : 1, waits = driver.waits, passes = 0;
+        oit_pass pass;
+        driver.totals[2] = run == 3;
+        f.cut = run == 5;
+        f.width = run == 7 ? 63 : 64; /* counts of another size are none */
+        assert_int_equal(oit_begin(oit, &f), OIT_OK);
+        for (; oit_next_pass(oit, &pass); ++passes) {
+            assert_int_equal(pass.kind, expected[kind][passes]);
+            fake_DrawArrays(4, 0, 3);
+            driver.totals[2] = run == 3 && passes == 0;
+        }
+        assert_int_equal(passes, kind == 1 ? 1 : 2);
+        assert_int_equal(oit_compose(oit), OIT_OK);
+        assert_int_equal(oit_end(oit), OIT_OK);
+        assert_int_equal(driver.waits, waits + (kind == 2 ? 2 : 1));
+        driver.finished = driver.now;
+    }
+    oit_destroy(oit);
+}
+
 static void test_pixel_deeper_than_the_ceiling(void **state) {
     (void)state;
     oit_desc desc = {.ceiling_bytes = 16 * 9};
@@ -788,6 +849,8 @@ int main(void) {
         DRIVER_TEST(test_every_creation_refused),
         DRIVER_TEST(test_shaders_that_fail),
         DRIVER_TEST(test_no_memory_mid_growth),
+        DRIVER_TEST(test_no_memory_for_growth_of_any_store),
+        DRIVER_TEST(test_predicted_frames),
         DRIVER_TEST(test_pixel_deeper_than_the_ceiling),
         DRIVER_TEST(test_wrong_order_and_bad_frames),
         DRIVER_TEST(test_sizes),

@@ -120,6 +120,8 @@ static bool dump_oit(const char *folder, int choice, oit_desc desc, bool es) {
     oit_i_write_preamble(&desc, es, preamble, sizeof preamble);
     for (int program = 0; program < OIT_I_PROGRAMS; ++program)
         for (int stage = 0; stage < (oit_i_is_compute(program) ? 1 : 2); ++stage) {
+            if (!oit_i_uses_program(&desc, !es, program))
+                continue;
             oit_i_source source;
             char name[64];
             oit_i_program_source(&source, program, (oit_stage)stage, &desc, es, preamble, scratch);
@@ -142,6 +144,9 @@ static bool dump_all_oit(const char *folder) {
         {.fit = OIT_FIT_ASYNC, .fields = OIT_FIELD_ALL, .color = OIT_COLOR_HALF, .host_words = 3, .reversed_z = 1},
         {.fit = OIT_FIT_ASYNC, .fields = OIT_FIELD_BLEND, .color = OIT_COLOR_FLOAT, .premultiplied = 1},
         {.fit = OIT_FIT_WAIT, .fields = OIT_FIELD_BLEND | OIT_FIELD_KEY},
+        {.store = OIT_STORE_PREDICT},
+        {.store = OIT_STORE_PREDICT, .fit = OIT_FIT_ASYNC, .fields = OIT_FIELD_ALL, .premultiplied = 1},
+        {.store = OIT_STORE_PREDICT, .fit = OIT_FIT_ASYNC, .color = OIT_COLOR_FLOAT, .host_words = 1},
     };
     bool ok = true;
     for (int i = 0; ok && i < (int)(sizeof descs / sizeof descs[0]); ++i)
