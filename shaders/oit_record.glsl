@@ -1,9 +1,9 @@
 // For: oit_buffers.h
 // Records read back: the order of two, colour, how it is laid over what is behind.
-#if defined(OIT_ARRANGES)
-layout(std430, binding = OIT_BINDING_PIXELS) buffer oit_pixels { uint oit_pixel[]; };
-#elif !defined(OIT_SETTLES)
+#if !defined(OIT_SETTLES) && !defined(OIT_ARRANGES)
 layout(std430, binding = OIT_BINDING_PIXELS) readonly buffer oit_pixels { uint oit_pixel[]; };
+#elif defined(OIT_ARRANGES)
+layout(std430, binding = OIT_BINDING_PIXELS) buffer oit_pixels { uint oit_pixel[]; };
 #endif
 layout(std430, binding = OIT_BINDING_FRAGMENTS) readonly buffer oit_fragments { OIT_VECTOR oit_data[]; };
 

@@ -219,6 +219,8 @@ static void fake_ShaderSource(U shader, I count, const char *const *strings, con
         driver.shader_uses[shader][i] = uses_of(source, bindings[i]);
     if (strstr(source, "#define OIT_PASS 0\n")) /* counting stores nothing */
         driver.shader_uses[shader][1] = 0;
+    if (strstr(source, "#define OIT_ARRANGES 1\n")) /* of two declarations the second holds */
+        driver.shader_uses[shader][0] = READS | WRITES;
 }
 
 static void fake_GenBuffers(I count, U *names) {
@@ -527,6 +529,19 @@ static const oit_desc descs[] = {
     {.store = OIT_STORE_PREDICT, .fit = OIT_FIT_ASYNC, .state = OIT_STATE_NONE},
     {.store = OIT_STORE_PREDICT, .ceiling_bytes = 64 * 16 * 9},
     {.store = OIT_STORE_PREDICT, .fit = OIT_FIT_ASYNC, .max_block_bytes = 15000},
+    {.store = OIT_STORE_BUDGET, .layers = 8},
+    {.store = OIT_STORE_BUDGET, .layers = 70, .fit = OIT_FIT_ASYNC, .fields = OIT_FIELD_BLEND},
+    {.store = OIT_STORE_BUDGET, .budget_bytes = 1, .fit = OIT_FIT_ASYNC, .state = OIT_STATE_NONE}, /* no layer */
+    {.store = OIT_STORE_BUDGET, .layers = 3, .fit = OIT_FIT_ASYNC, .max_block_bytes = 20000},      /* slabs */
+    {.store = OIT_STORE_BUCKETED, .layers = 8, .fields = OIT_FIELD_PART},
+    {.store = OIT_STORE_BUCKETED, .layers = 8, .fields = OIT_FIELD_PART, .fit = OIT_FIT_ASYNC, .bucket_depth_bits = 16},
+    {.store = OIT_STORE_BUCKETED,
+     .layers = 8,
+     .fields = OIT_FIELD_ALL,
+     .fit = OIT_FIT_ASYNC,
+     .state = OIT_STATE_NONE,
+     .color = OIT_COLOR_HALF},
+    {.store = OIT_STORE_BUCKETED, .layers = 3, .fields = OIT_FIELD_PART, .max_block_bytes = 20000}, /* slabs */
 };
 
 /* tear_down fails where a barrier was missing. */
@@ -724,7 +739,7 @@ static void test_no_memory_mid_growth(void **state) {
 static void test_no_memory_for_growth_of_any_store(void **state) {
     (void)state;
     for (size_t i = 0; i < sizeof descs / sizeof descs[0]; ++i) {
-        if (descs[i].ceiling_bytes || descs[i].max_block_bytes)
+        if (descs[i].ceiling_bytes || descs[i].max_block_bytes || oit_i_keeps(&descs[i])) /* those do not grow */
             continue;
         oit_context *oit = make(descs[i]);
         for (int run = 0; run < 6; ++run) {
@@ -771,6 +786,66 @@ static void test_predicted_frames(void **state) {
         driver.finished = driver.now;
     }
     oit_destroy(oit);
+}
+
+/* The stores that keep the k nearest: no memory for the pixels or for the fragments is an error, and the next frame works,
+ * with what the budget has room for at its size; smaller ones need no new buffer. */
+static void test_no_memory_for_a_budget(void **state) {
+    static const int widths[] = {64, 64, 64, 32, 16, 64, 640};
+    (void)state;
+    for (int store = 0; store < 2; ++store) {
+        oit_desc desc = {.store = store ? OIT_STORE_BUCKETED : OIT_STORE_BUDGET, .fields = OIT_FIELD_PART};
+        desc.budget_bytes = 64 * 48 * (store ? 28 : 20) * 5;
+        oit_context *oit = make(desc);
+        for (int run = 0; run < 7; ++run) {
+            int first = driver.call_count, k = 64 * 5 / widths[run];
+            oit_frame f = frame;
+            f.width = widths[run];
+            driver.memory = run == 0 ? 1000 : run == 1 ? 64 * 48 * 16 * 5 - 1 : 0; /* neither; no fragments */
+            oit_result result = draw_frame(oit, &f, NULL);
+            assert_int_equal(result, driver.memory ? OIT_OUT_OF_MEMORY : OIT_OK);
+            assert_int_equal(driver.copy_target, 78);
+            assert_int_equal(driver.program, 4000);
+            if (run > 1) {
+                assert_int_equal(oit->layers, k);
+                assert_int_equal(oit->capacity, k * widths[run] * 48);
+            }
+            if (run > 2 && run < 6)
+                assert_int_equal(called_since(first, "BufferData"), 0);
+            driver.finished = driver.now;
+        }
+        oit_destroy(oit);
+    }
+}
+
+/* What a pass of the stores that keep the k nearest is, in its order. */
+static void test_passes_of_a_budget(void **state) {
+    static const oit_pass_kind expected[2][8] = {
+        {OIT_PASS_CLEAR, OIT_PASS_COUNT, OIT_PASS_KEEP, OIT_PASS_FILL, OIT_PASS_COMPOSE},
+        {OIT_PASS_CLEAR, OIT_PASS_COUNT, OIT_PASS_KEEP, OIT_PASS_FILL, OIT_PASS_ARRANGE, OIT_PASS_COMPOSE}};
+    (void)state;
+    for (int store = 0; store < 2; ++store) {
+        oit_desc desc = {.store = store ? OIT_STORE_BUCKETED : OIT_STORE_BUDGET,
+                         .fields = OIT_FIELD_PART,
+                         .layers = 8,
+                         .fit = OIT_FIT_ASYNC,
+                         .state = OIT_STATE_NONE};
+        oit_context *oit = make(desc);
+        oit_pass pass;
+        int passes = 0;
+        assert_int_equal(oit_begin(oit, &frame), OIT_OK);
+        for (; oit_next_pass(oit, &pass); ++passes)
+            assert_int_equal(pass.kind, expected[store][passes]);
+        assert_int_equal(passes, 4 + store); /* the buckets are there before oit_compose */
+        assert_int_equal(oit_compose(oit), OIT_OK);
+        assert_int_equal(oit_next_pass(oit, &pass), 1);
+        assert_int_equal(pass.kind, OIT_PASS_COMPOSE);
+        while (oit_next_pass(oit, &pass))
+            ;
+        assert_int_equal(pass.kind, OIT_PASS_REPORT);
+        assert_int_equal(oit_end(oit), OIT_OK);
+        oit_destroy(oit);
+    }
 }
 
 static void test_pixel_deeper_than_the_ceiling(void **state) {
@@ -851,6 +926,8 @@ int main(void) {
         DRIVER_TEST(test_no_memory_mid_growth),
         DRIVER_TEST(test_no_memory_for_growth_of_any_store),
         DRIVER_TEST(test_predicted_frames),
+        DRIVER_TEST(test_no_memory_for_a_budget),
+        DRIVER_TEST(test_passes_of_a_budget),
         DRIVER_TEST(test_pixel_deeper_than_the_ceiling),
         DRIVER_TEST(test_wrong_order_and_bad_frames),
         DRIVER_TEST(test_sizes),
