@@ -147,6 +147,10 @@ static bool dump_all_oit(const char *folder) {
         {.store = OIT_STORE_PREDICT},
         {.store = OIT_STORE_PREDICT, .fit = OIT_FIT_ASYNC, .fields = OIT_FIELD_ALL, .premultiplied = 1},
         {.store = OIT_STORE_PREDICT, .fit = OIT_FIT_ASYNC, .color = OIT_COLOR_FLOAT, .host_words = 1},
+        {.store = OIT_STORE_BUDGET, .reversed_z = 1},
+        {.store = OIT_STORE_BUDGET, .fit = OIT_FIT_ASYNC, .fields = OIT_FIELD_ALL, .premultiplied = 1},
+        {.store = OIT_STORE_BUCKETED, .fields = OIT_FIELD_PART, .color = OIT_COLOR_FLOAT},
+        {.store = OIT_STORE_BUCKETED, .fields = OIT_FIELD_ALL, .bucket_depth_bits = 16, .reversed_z = 1},
     };
     bool ok = true;
     for (int i = 0; ok && i < (int)(sizeof descs / sizeof descs[0]); ++i)
