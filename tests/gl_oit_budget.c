@@ -558,6 +558,29 @@ static void test_alpha_extremes(void **state) {
     free(s);
 }
 
+/* Sums of the tail beyond 32 bits: opaque layers, each an optical depth of 11. */
+static void test_tail_carries(void **state) {
+    (void)state;
+    oit_setting t;
+    oit_scene *s = malloc(sizeof *s);
+    open_setting(&t, false, 4, 4);
+    oit_scene_init(s, 4, 4);
+    oit_scene_sheets(s, 300, 1, false);
+    float *whole = draw(&t, s, NULL);
+    runs all = read_runs(&t);
+    check_layers(&t, s, budget, 0, &all, whole);
+    runs held = read_runs(&t);
+    for (size_t p = 0; p < held.pixels; ++p)
+        assert_true(fabs(tail_of(&held, p, 3) - 3300) < 1e-3);
+    free_runs(&held);
+    check_layers(&t, s, budget, 7, &all, whole);
+    free(whole);
+    free_runs(&all);
+    oit_scene_drop(s);
+    oit_setting_close(&t);
+    free(s);
+}
+
 /* A viewport of nothing, of one pixel, and sizes that change: what k is follows. */
 static void test_sizes(void **state) {
     static const int sizes[][2] = {{0, 0}, {1, 1}, {0, 9}, {40, 24}, {3, 5}, {40, 1}, {1, 1}};
@@ -816,6 +839,7 @@ int main(void) {
         cmocka_unit_test(test_one_ulp_apart),
         cmocka_unit_test(test_identical_layers),
         cmocka_unit_test(test_alpha_extremes),
+        cmocka_unit_test(test_tail_carries),
         cmocka_unit_test(test_sizes),
         cmocka_unit_test(test_slabs_equal_the_whole),
         cmocka_unit_test(test_passes_that_differ),
