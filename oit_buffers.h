@@ -191,7 +191,7 @@ typedef enum oit_store_kind {
     OIT_STORE_EXACT, /* counted, then filled: two geometry passes, runs that fit exactly */
     OIT_STORE_PREDICT, /* one geometry pass: runs as long as the frame before suggests; see DOES and docs/oit_buffers.md */
     OIT_STORE_BUDGET,
-    OIT_STORE_LINKED,
+    OIT_STORE_LINKED, /* the paper's lists, one geometry pass; each pixel's is copied into a run after it: half of the pool */
     OIT_STORE_BUCKETED,
     OIT_STORE_FETCH
 } oit_store_kind;
@@ -289,6 +289,7 @@ typedef enum oit_pass_kind {
     OIT_PASS_COMPOSE,
     OIT_PASS_PREDICT,
     OIT_PASS_SETTLE,
+    OIT_PASS_GATHER,
     OIT_PASS_KEEP,    /* BUDGET, BUCKETED: what is kept of each pixel */
     OIT_PASS_ARRANGE, /* BUCKETED: its fragments by part */
     OIT_PASS_KIND_COUNT
@@ -548,6 +549,11 @@ static const char *const oit_i_shader_oit_clear_comp[] = {
     "        uint p = first + 128u * i;\n"
     "        if (p >= oit_pool.x)\n"
     "            continue;\n"
+    "#if OIT_STORE == OIT_LINKED\n"
+    "        oit_pixel[OIT_HEAD(p)] = 0u;\n"
+    "        if (OIT_AGAIN)\n"
+    "            continue;\n"
+    "#endif\n"
     "        oit_pixel[OIT_WANTED(p)] = 0u;\n"
     "#if OIT_KEEPS\n"
     "        oit_pixel[OIT_LIMIT(p)] = OIT_NONE;\n"
@@ -562,7 +568,9 @@ static const char *const oit_i_shader_oit_clear_comp[] = {
     "    for (uint i = block * OIT_BLOCK * each + gl_LocalInvocationID.x; i < end; i += 128u)\n"
     "        oit_pixel[OIT_KEY(0u, i)] = OIT_NONE;\n"
     "#endif\n"
-    "    if (oit_step.x != 0u && first < OIT_HEADER)\n"
+    "    if (oit_step.x != 0u && first < OIT_HEADER && !OIT_AGAIN)\n"
+    "        oit_pixel[first] = 0u;\n"
+    "    if (first == OIT_TAKEN)\n"
     "        oit_pixel[first] = 0u;\n"
     "}\n",
     0};
@@ -771,8 +779,8 @@ static const char *const oit_i_shader_oit_frame_block_glsl[] = {
     "    highp ivec4 oit_area;  // x, y of the slab's corner in the target, its width and height\n"
     "    highp uvec4 oit_pool;  // x: pixels of the slab, y: first fragment of the band, z: capacity, w: blocks of the scan\n"
     "    highp uvec4 oit_step;  // x: 1 with the first slab of a frame, y: what is deeper is left to the program for all depths,\n"
-    "                           // w: 1 where the fragments are stored before they are counted; or k, of the stores that\n"
-    "                           // keep the k nearest\n"
+    "                           // w: 1 where the fragments are stored before they are counted, 2 where they are stored again;\n"
+    "                           // or k, of the stores that keep the k nearest\n"
     "    highp uvec4 oit_above; // what is not deeper than this is left to the program before: of up to 8, 16, 32, 64\n"
     "    highp vec4 oit_light;  // xyz: toward the light, unit length; zero: no shading. w: weight of the background\n"
     "};\n"
@@ -786,6 +794,7 @@ static const char *const oit_i_shader_oit_frame_block_glsl[] = {
     "#define OIT_LOST 3u        // fragments that went to the tail\n"
     "#define OIT_EXTRA 4u       // fragments that the fill met and the count had not\n"
     "#define OIT_TOTAL 5u       // fragments of this slab\n"
+    "#define OIT_TAKEN 6u       // OIT_STORE_LINKED: records taken of the list\n"
     "#define OIT_PIXELS 8u      // from here on, by power of two: pixels of up to 8, 16, 32, 64 fragments, and of more\n"
     "#define OIT_HEADER 16u\n"
     "#define OIT_START(p) (OIT_HEADER + 2u * (p))\n"
@@ -793,7 +802,11 @@ static const char *const oit_i_shader_oit_frame_block_glsl[] = {
     "#define OIT_SUM(b) (OIT_HEADER + 2u + 2u * oit_pool.x + (b))\n"
     "#define OIT_OWN(p) (OIT_HEADER + 2u + 2u * oit_pool.x + oit_pool.w + (p))\n"
     "#define OIT_TAIL(p) (OIT_OWN(0u) + uint(OIT_OWN_WORDS) * oit_pool.x + uint(OIT_TAIL_WORDS) * (p))\n"
-    "#define OIT_DIRECT (oit_step.w != 0u)\n"
+    "#define OIT_DIRECT (oit_step.w == 1u && OIT_KEEPS == 0)\n"
+    "#define OIT_AGAIN (oit_step.w == 2u && OIT_KEEPS == 0)\n"
+    "\n"
+    "// OIT_STORE_LINKED: one more than the place of the pixel's last record; 0: none.\n"
+    "#define OIT_HEAD(p) OIT_OWN(p)\n"
     "\n"
     "// Where the scan finds how long the run of a pixel shall be. OIT_STORE_PREDICT keeps how many fragments came in the frame\n"
     "// before, and needs no place for its guess but that where the scan writes the start.\n"
@@ -829,6 +842,52 @@ static const char *const oit_i_shader_oit_fullscreen_vert[] = {
     "{\n"
     "    vec2 corner = vec2(float((gl_VertexID << 1) & 2), float(gl_VertexID & 2));\n"
     "    gl_Position = vec4(2.0 * corner - 1.0, 0.0, 1.0);\n"
+    "}\n",
+    0};
+static const char *const oit_i_shader_oit_gather_comp[] = {
+    "#line 1\n"
+    "// For: oit_buffers.h\n"
+    "// OIT_STORE_LINKED, after the fill: the list of each pixel copied into a run of its own (Carnecky 2013, section 4.3, which\n"
+    "// sorts as it copies; ours are sorted where they are composed). Where the list was too small, into the pixel's tail.\n"
+    "layout(local_size_x = 128) in;\n"
+    "layout(std430, binding = OIT_BINDING_FRAGMENTS) writeonly buffer oit_runs { OIT_VECTOR oit_run[]; };\n"
+    "\n"
+    "// Without the link, which differs from frame to frame, so that only the fragment's own words are ever compared.\n"
+    "void oit_copy(uint from, uint to)\n"
+    "{\n"
+    "    for (uint i = 0u; i < uint(OIT_VECTORS); ++i) {\n"
+    "        OIT_VECTOR words = oit_data[from + i];\n"
+    "        if (i == uint(OIT_AT_LINK / OIT_LANES))\n"
+    "            words[OIT_AT_LINK % OIT_LANES] = 0u;\n"
+    "        oit_run[to + i] = words;\n"
+    "    }\n"
+    "}\n"
+    "\n"
+    "void oit_gather(uint p)\n"
+    "{\n"
+    "    uint end = oit_pixel[OIT_START(p + 1u)], n = end - oit_pixel[OIT_START(p)], found = 0u;\n"
+    "    bool lost = OIT_ASYNC == 1 && end > oit_pool.z;\n"
+    "    for (uint link = oit_pixel[OIT_HEAD(p)]; link != 0u && found < n; ++found) {\n"
+    "        uint at = (link - 1u) * uint(OIT_VECTORS);\n"
+    "#if OIT_ASYNC\n"
+    "        if (lost)\n"
+    "            oit_add_to_tail(p, oit_record_amounts(at));\n"
+    "#endif\n"
+    "        if (!lost)\n"
+    "            oit_copy(at, (end - 1u - found - oit_pool.y) * uint(OIT_VECTORS));\n"
+    "        link = OIT_WORD(at, OIT_AT_LINK);\n"
+    "    }\n"
+    "    if (!lost)\n"
+    "        oit_pixel[OIT_LEFT(p)] = n - found;\n"
+    "}\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    uint block = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;\n"
+    "    uint first = block * OIT_BLOCK + gl_LocalInvocationID.x;\n"
+    "    for (uint i = 0u; i < 8u; ++i)\n"
+    "        if (first + 128u * i < oit_pool.x)\n"
+    "            oit_gather(first + 128u * i);\n"
     "}\n",
     0};
 static const char *const oit_i_shader_oit_keep_comp[] = {
@@ -944,7 +1003,7 @@ static const char *const oit_i_shader_oit_record_glsl[] = {
     "#elif defined(OIT_ARRANGES)\n"
     "layout(std430, binding = OIT_BINDING_PIXELS) buffer oit_pixels { uint oit_pixel[]; };\n"
     "#endif\n"
-    "layout(std430, binding = OIT_BINDING_FRAGMENTS) readonly buffer oit_fragments { OIT_VECTOR oit_data[]; };\n"
+    "layout(std430, binding = OIT_BINDING_RECORDS) readonly buffer oit_fragments { OIT_VECTOR oit_data[]; };\n"
     "\n"
     "// Whether the record at a comes after that at b; by their words, then by where they lie, which only tells apart records\n"
     "// that are alike in every word.\n"
@@ -981,7 +1040,7 @@ static const char *const oit_i_shader_oit_record_glsl[] = {
     "#endif\n"
     "}\n"
     "\n"
-    "#ifdef OIT_SETTLES\n"
+    "#if defined(OIT_SETTLES) && OIT_ASYNC\n"
     "// What the record adds to the tail.\n"
     "vec4 oit_record_amounts(uint at)\n"
     "{\n"
@@ -1018,6 +1077,13 @@ static const char *const oit_i_shader_oit_scan_glsl[] = {
     "{\n"
     "    uint sum = a + b;\n"
     "    return sum < a ? 0xffffffffu : sum;\n"
+    "}\n"
+    "\n"
+    "// OIT_STORE_LINKED, and the list was too small for `total`: which records it has depends on which came first, so all pixels\n"
+    "// are lost alike: by this much their runs are moved, beyond the pool.\n"
+    "uint oit_all_lost(uint total)\n"
+    "{\n"
+    "    return OIT_STORE == OIT_LINKED && OIT_ASYNC == 1 && OIT_DIRECT && total > oit_pool.z ? oit_pool.z : 0u;\n"
     "}\n"
     "\n"
     "// 0 for up to 8, then one more for each doubling.\n"
@@ -1112,6 +1178,8 @@ static const char *const oit_i_shader_oit_spread_comp[] = {
     "#if OIT_STORE != OIT_PREDICT // where it is known when all have come\n"
     "    atomicAdd(oit_pixel[OIT_LOST_PIXELS], 1u);\n"
     "    atomicAdd(oit_pixel[OIT_LOST], count);\n"
+    "#endif\n"
+    "#if OIT_STORE == OIT_EXACT\n"
     "    for (uint c = 0u; c < 4u; ++c)\n"
     "        oit_pixel[OIT_TAIL(p) + c] = 0u;\n"
     "#endif\n"
@@ -1126,6 +1194,7 @@ static const char *const oit_i_shader_oit_spread_comp[] = {
     "        sum = oit_add(sum, p < oit_pool.x ? oit_pixel[OIT_WANTED(p)] : 0u);\n"
     "    uint before = oit_scan(gl_LocalInvocationID.x, sum);\n"
     "    before = oit_add(before, block < oit_pool.w ? oit_pixel[OIT_SUM(block)] : 0u);\n"
+    "    before = oit_add(before, oit_all_lost(oit_pixel[OIT_TOTAL]));\n"
     "    for (uint p = first; p < first + 8u && p < oit_pool.x; ++p) {\n"
     "        uint count = oit_pixel[OIT_WANTED(p)];\n"
     "        oit_pixel[OIT_START(p)] = before;\n"
@@ -1363,13 +1432,32 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "#endif\n"
     "#endif\n"
     "\n"
+    "#if OIT_PASS == OIT_FILL && OIT_STORE == OIT_LINKED\n"
+    "// Carnecky 2013, algorithm 1. A fragment for which the list is too small counts all the same.\n"
+    "void oit_insert(uint p, oit_fragment f)\n"
+    "{\n"
+    "    uint w[OIT_VECTORS * OIT_LANES];\n"
+    "    oit_pack(f, w);\n"
+    "    uint slot = atomicAdd(oit_pixel[OIT_TAKEN], 1u);\n"
+    "    if (slot >= oit_pool.z) {\n"
+    "#if OIT_ASYNC\n"
+    "        oit_to_tail(p, f, w);\n"
+    "#endif\n"
+    "        return;\n"
+    "    }\n"
+    "    w[OIT_AT_LINK] = atomicExchange(oit_pixel[OIT_HEAD(p)], slot + 1u);\n"
+    "    oit_write(slot * uint(OIT_VECTORS), w);\n"
+    "}\n"
+    "#endif\n"
+    "\n"
     "void oit_store(oit_fragment f)\n"
     "{\n"
     "    uint p = oit_pixel_index();\n"
     "#if OIT_KEEPS && OIT_PASS == OIT_COUNT\n"
     "    oit_select(p, oit_key(f));\n"
     "#elif OIT_PASS == OIT_COUNT\n"
-    "    atomicAdd(oit_pixel[OIT_WANTED(p)], 1u);\n"
+    "    atomicAdd(oit_pixel[OIT_WANTED(p)], 1u);\n",
+    "#line 246\n"
     "#else\n"
     "#if OIT_KEEPS\n"
     "    if (oit_key(f) >= oit_pixel[OIT_LIMIT(p)]) {\n"
@@ -1377,18 +1465,29 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "        return;\n"
     "    }\n"
     "#endif\n"
-    "    uint left = atomicAdd(oit_pixel[OIT_LEFT(p)], 0xffffffffu);\n"
-    "#if OIT_ASYNC && OIT_STORE == OIT_EXACT\n"
+    "    uint left = atomicAdd(oit_pixel[OIT_LEFT(p)], OIT_STORE == OIT_LINKED && OIT_DIRECT ? 1u : 0xffffffffu);\n"
+    "#if OIT_ASYNC && OIT_STORE != OIT_PREDICT\n"
     "    if (left >> 30u == 1u) { // OIT_UNFIT, and not what wraps below 0\n"
-    "        uint count = oit_pixel[OIT_START(p + 1u)] - oit_pixel[OIT_START(p)];\n"
-    "        if (left != OIT_UNFIT)\n"
-    "            oit_to_tail(p, count, f);\n"
-    "        else\n"
+    "        if (left == OIT_UNFIT) {\n"
     "            atomicAdd(oit_pixel[OIT_EXTRA], 1u);\n"
-    "        return;\n"
-    "    }\n",
-    "#line 245\n"
+    "            return;\n"
+    "        }\n"
+    "#if OIT_TAIL_WORDS == 4\n"
+    "        oit_to_tail(p, oit_pixel[OIT_START(p + 1u)] - oit_pixel[OIT_START(p)], f);\n"
+    "#else\n"
+    "        uint words[OIT_VECTORS * OIT_LANES];\n"
+    "        oit_pack(f, words);\n"
+    "        oit_to_tail(p, f, words);\n"
     "#endif\n"
+    "        return;\n"
+    "    }\n"
+    "#endif\n"
+    "#if OIT_STORE == OIT_LINKED\n"
+    "    if (OIT_DIRECT || left - 1u < oit_pool.z)\n"
+    "        oit_insert(p, f);\n"
+    "    else\n"
+    "        atomicAdd(oit_pixel[OIT_EXTRA], 1u);\n"
+    "#else\n"
     "    // Nothing is written outside of the run, however many fragments come: after as many as were counted, what is left is\n"
     "    // 0, and then wraps to more than any pool holds.\n"
     "    uint w[OIT_VECTORS * OIT_LANES];\n"
@@ -1403,6 +1502,7 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "        return;\n"
     "    }\n"
     "    oit_write(slot * uint(OIT_VECTORS), w);\n"
+    "#endif\n"
     "#endif\n"
     "}\n"
     "\n"
@@ -1689,7 +1789,7 @@ static const char *const oit_i_shader_oit_tops_comp[] = {
     "        before = oit_add(before, here);\n"
     "    }\n"
     "    if (self == 127u) {\n"
-    "        oit_pixel[OIT_START(oit_pool.x)] = before;\n"
+    "        oit_pixel[OIT_START(oit_pool.x)] = oit_add(before, oit_all_lost(before));\n"
     "        oit_pixel[OIT_TOTAL] = before;\n"
     "        if (OIT_STORE != OIT_PREDICT || !OIT_DIRECT)\n"
     "            oit_pixel[OIT_NEEDED] = max(oit_pixel[OIT_NEEDED], before);\n"
@@ -1892,7 +1992,7 @@ typedef struct oit_i_gl {
 /* ---- the context ------------------------------------------------------------------------------------------------ */
 
 /* Buffers; the first three by their binding points. */
-enum { OIT_I_PIXELS, OIT_I_FRAGMENTS, OIT_I_REPORT, OIT_I_UNIFORMS = OIT_I_REPORT + 3, OIT_I_BUFFER_COUNT };
+enum { OIT_I_PIXELS, OIT_I_FRAGMENTS, OIT_I_REPORT, OIT_I_UNIFORMS = OIT_I_REPORT + 3, OIT_I_LIST, OIT_I_BUFFER_COUNT };
 #define OIT_I_REPORTS 3
 
 /* Runs are composed by programs for so many fragments, the last for all that are deeper. */
@@ -1915,6 +2015,7 @@ enum {
     OIT_I_PROGRAM_REPORT,
     OIT_I_PROGRAM_PREDICT,
     OIT_I_PROGRAM_SETTLE,
+    OIT_I_PROGRAM_GATHER,
     OIT_I_PROGRAM_KEEP,
     OIT_I_PROGRAM_ARRANGE,
     OIT_I_PROGRAM_COUNT,
@@ -1973,6 +2074,7 @@ typedef enum oit_i_step {
     OIT_I_STEP_MEASURE, /* OIT_FIT_WAIT: totals to the report, and read */
     OIT_I_STEP_PREDICT,
     OIT_I_STEP_SETTLE,
+    OIT_I_STEP_GATHER,
     OIT_I_STEP_CHECK, /* OIT_FIT_WAIT: totals again, to see whether all that was stored before it was counted found place */
     OIT_I_STEP_FILL,
     OIT_I_STEP_FILLED, /* all that is stored of the last part, which waits for oit_compose */
@@ -1989,7 +2091,7 @@ typedef enum oit_i_step {
 typedef struct oit_i_list {
     unsigned char steps[OIT_I_MAX_STEPS];
     oit_i_step part_start;
-    int direct; /* 1: the fragments are stored before they are counted */
+    int direct; /* 1: the fragments are stored before they are counted; 2: they are stored again */
 } oit_i_list;
 
 #define OIT_I_MAX_STRINGS 24
@@ -2122,8 +2224,9 @@ OIT_I_API const char *oit_result_string(oit_result result) {
 }
 
 OIT_I_API const char *oit_pass_kind_name(oit_pass_kind kind) {
-    static const char *const names[OIT_PASS_KIND_COUNT] = {
-        "clear", "count", "sum", "tops", "spread", "report", "fill", "compose", "predict", "settle", "keep", "arrange"};
+    static const char *const names[OIT_PASS_KIND_COUNT] = {"clear",  "count", "sum",     "tops",    "spread",
+                                                           "report", "fill",  "compose", "predict", "settle",
+                                                           "gather", "keep",  "arrange"};
     return (unsigned)kind < (unsigned)OIT_PASS_KIND_COUNT ? names[kind] : "not a pass";
 }
 
@@ -2361,7 +2464,8 @@ static const char *oit_i_bad_member(const oit_desc *desc) {
         return "store is none of its enumerators";
     if (desc->headroom > 64)
         return "headroom is more than 64 sixteenths";
-    if (desc->store > OIT_STORE_PREDICT && !oit_i_keeps(desc))
+    if (desc->store != OIT_STORE_EXACT && desc->store != OIT_STORE_PREDICT && desc->store != OIT_STORE_LINKED &&
+        !oit_i_keeps(desc))
         return "store is one that this version does not have";
     if (desc->budget_bytes < 0 || desc->layers < 0)
         return "budget_bytes or layers is negative";
@@ -2705,7 +2809,7 @@ static void oit_i_define(oit_i_text *text, const char *name, int64_t value) {
 
 /* Where the words of a record lie, in the order in which they are compared; 0: not there. */
 typedef struct oit_i_record {
-    int part, key, color, blend, normal, uv, host, words, lanes;
+    int part, key, color, blend, normal, uv, host, link, words, lanes;
 } oit_i_record;
 
 static oit_i_record oit_i_layout(const oit_desc *desc) {
@@ -2728,6 +2832,8 @@ static oit_i_record oit_i_layout(const oit_desc *desc) {
     }
     at.host = next;
     next += desc->host_words;
+    if (desc->store == OIT_STORE_LINKED)
+        at.link = next++;
     /* In vectors, which drivers move at once: of four words, or of two where that saves memory. */
     at.words = (next + 1) / 2 * 2;
     at.lanes = at.words % 4 == 0 ? 4 : 2;
@@ -2736,13 +2842,13 @@ static oit_i_record oit_i_layout(const oit_desc *desc) {
 
 /* Words a pixel that the store has of its own, and those of the tail: shaders/oit_frame_block.glsl. */
 static int oit_i_own_words(const oit_desc *desc) {
-    return desc->store == OIT_STORE_PREDICT || oit_i_keeps(desc);
+    return desc->store == OIT_STORE_PREDICT || desc->store == OIT_STORE_LINKED || oit_i_keeps(desc);
 }
 
 static int oit_i_tail_words(const oit_desc *desc) {
     if (oit_i_keeps(desc))
         return 6;
-    return desc->fit == OIT_FIT_WAIT ? 0 : desc->store == OIT_STORE_PREDICT ? 6 : 4;
+    return desc->fit == OIT_FIT_WAIT ? 0 : desc->store == OIT_STORE_EXACT ? 4 : 6;
 }
 
 /* What every stage begins with, after the version: what was chosen at creation. */
@@ -2774,6 +2880,7 @@ static void oit_i_write_preamble(const oit_desc *desc, int es, char *at, size_t 
     oit_i_define(&text, "OIT_AT_NORMAL", record.normal);
     oit_i_define(&text, "OIT_AT_UV", record.uv);
     oit_i_define(&text, "OIT_AT_HOST", record.host);
+    oit_i_define(&text, "OIT_AT_LINK", record.link);
     oit_i_define(&text, "OIT_COLOR", (int)desc->color);
     oit_i_define(&text, "OIT_STORE", (int)desc->store);
     oit_i_define(&text, "OIT_OWN_WORDS", oit_i_own_words(desc));
@@ -2904,6 +3011,7 @@ static void oit_i_compose_source(oit_i_source *source, int index, int mode, char
         oit_i_define(&text, "OIT_INDEX", index);
         oit_i_define(&text, "OIT_DEEP", deep);
     }
+    oit_i_put(&text, "#define OIT_BINDING_RECORDS OIT_BINDING_FRAGMENTS\n");
     oit_i_add(source, scratch);
     oit_i_add_chunks(source, oit_i_shader_oit_frame_block_glsl);
     if (tail) {
@@ -2926,24 +3034,29 @@ static void oit_i_compose_source(oit_i_source *source, int index, int mode, char
 }
 
 /* In the order of OIT_I_PROGRAM_*. */
-static const oit_i_strings oit_i_kernels[] = {
-    oit_i_shader_oit_clear_comp,  oit_i_shader_oit_sum_comp,    oit_i_shader_oit_tops_comp,
-    oit_i_shader_oit_spread_comp, oit_i_shader_oit_report_comp, oit_i_shader_oit_predict_comp,
-    oit_i_shader_oit_settle_comp, oit_i_shader_oit_keep_comp,   oit_i_shader_oit_arrange_comp};
+static const oit_i_strings oit_i_kernels[] = {oit_i_shader_oit_clear_comp,  oit_i_shader_oit_sum_comp,
+                                              oit_i_shader_oit_tops_comp,   oit_i_shader_oit_spread_comp,
+                                              oit_i_shader_oit_report_comp, oit_i_shader_oit_predict_comp,
+                                              oit_i_shader_oit_settle_comp, oit_i_shader_oit_gather_comp,
+                                              oit_i_shader_oit_keep_comp,   oit_i_shader_oit_arrange_comp};
 
 static void oit_i_compute_source(oit_i_source *source, int program, int async) {
     if (program == OIT_I_PROGRAM_TOPS || program == OIT_I_PROGRAM_SPREAD)
         oit_i_add(source, "#define OIT_SCANS 1\n");
-    if (program == OIT_I_PROGRAM_SETTLE)
+    int settles = program == OIT_I_PROGRAM_SETTLE, gathers = program == OIT_I_PROGRAM_GATHER;
+    if (settles || gathers)
         oit_i_add(source, "#define OIT_SETTLES 1\n");
     if (program == OIT_I_PROGRAM_ARRANGE)
         oit_i_add(source, "#define OIT_ARRANGES 1\n");
+    /* A list has its place where the report has it at other times. */
+    oit_i_add(source, gathers ? "#define OIT_BINDING_RECORDS OIT_BINDING_REPORT\n"
+                              : "#define OIT_BINDING_RECORDS OIT_BINDING_FRAGMENTS\n");
     oit_i_add_chunks(source, oit_i_shader_oit_frame_block_glsl);
     oit_i_add_chunks(source, oit_i_shader_oit_scan_glsl);
-    if (program == OIT_I_PROGRAM_SETTLE) {
+    if (settles || gathers) {
         oit_i_add_chunks(source, oit_i_shader_oit_color_glsl);
         oit_i_add_chunks(source, oit_i_shader_oit_tail_glsl);
-        if (async)
+        if (async || gathers)
             oit_i_add_chunks(source, oit_i_shader_oit_record_glsl);
     } else if (program == OIT_I_PROGRAM_ARRANGE) {
         oit_i_add_chunks(source, oit_i_shader_oit_record_glsl);
@@ -3309,8 +3422,15 @@ static int oit_i_rows_at_once(const oit_context *oit, int width, int height) {
     return low;
 }
 
+/* That a fragment takes of the ceiling. */
 static int64_t oit_i_record_bytes(const oit_context *oit) {
-    return oit->info.fragment_bytes;
+    return oit->info.fragment_bytes * (oit->desc.store == OIT_STORE_LINKED ? 2 : 1);
+}
+
+static int oit_i_resize_pool(oit_context *oit, int64_t fragments) {
+    int64_t bytes = fragments * oit->info.fragment_bytes;
+    return oit_i_resize(oit, OIT_I_FRAGMENTS, bytes, OIT_I_GL_DYNAMIC_COPY) &&
+           (oit->desc.store != OIT_STORE_LINKED || oit_i_resize(oit, OIT_I_LIST, bytes, OIT_I_GL_DYNAMIC_COPY));
 }
 
 /* A pool for so many fragments, or, where that is over the ceiling or there is no memory for it, for fewer. */
@@ -3318,7 +3438,7 @@ static oit_result oit_i_set_capacity(oit_context *oit, uint64_t wanted, const ch
     int64_t record = oit_i_record_bytes(oit), most = oit->desc.ceiling_bytes / record;
     int64_t fragments = wanted > (uint64_t)most ? most : (int64_t)wanted;
     for (; fragments > 0; fragments /= 2) {
-        if (oit_i_resize(oit, OIT_I_FRAGMENTS, fragments * record, OIT_I_GL_DYNAMIC_COPY)) {
+        if (oit_i_resize_pool(oit, fragments)) {
             oit->capacity = (oit_i_u)fragments;
             oit->small_needs = 0;
             return OIT_OK;
@@ -3411,7 +3531,10 @@ static int oit_i_fence_passed(const oit_context *oit, oit_i_sync fence, int wait
 /* OIT_STORE_PREDICT: what the pool should hold. What was counted takes half of it in the next frame, until more is known:
    of few layers a run is twice as long as needed. */
 static void oit_i_note_places(oit_context *oit, const oit_i_u totals[OIT_I_HEADER_WORDS], int guessed) {
-    oit->places = guessed ? totals[5] : totals[0] > 0x7fffffffu ? 0xffffffffu : 2 * totals[0];
+    if (oit->desc.store != OIT_STORE_PREDICT)
+        oit->places = totals[0];
+    else
+        oit->places = guessed ? totals[5] : totals[0] > 0x7fffffffu ? 0xffffffffu : 2 * totals[0];
 }
 
 /* Takes the reports whose frames are finished. The target must be borrowed. */
@@ -3565,6 +3688,8 @@ static int oit_i_uses_program(const oit_desc *desc, int dual, int program) {
         return oit_i_keeps(desc);
     if (program == OIT_I_PROGRAM_ARRANGE)
         return desc->store == OIT_STORE_BUCKETED;
+    if (program == OIT_I_PROGRAM_GATHER)
+        return desc->store == OIT_STORE_LINKED;
     if (draw >= 0 && draw % (OIT_I_CLASSES + 1) == OIT_I_CLASSES) /* the tail */
         return desc->fit == OIT_FIT_ASYNC || oit_i_keeps(desc);
     return draw < oit_i_draws(desc, dual);
@@ -3609,6 +3734,20 @@ static const oit_i_list oit_i_refilled = {{OIT_I_STEP_PREDICT, OIT_I_STEP_SUM, O
                                           OIT_I_STEP_FILL,
                                           0};
 
+/* OIT_STORE_LINKED: filled, then counted and copied into runs; counted first, to know which pixels do not fit; filled again,
+   the whole or a band, because the list was too small. */
+static const oit_i_list oit_i_linked = {{OIT_I_STEP_CLEAR, OIT_I_STEP_FILL, OIT_I_STEP_SUM, OIT_I_STEP_TOPS,
+                                         OIT_I_STEP_SPREAD, OIT_I_STEP_MEASURE, OIT_I_STEP_GATHER, OIT_I_STEP_FILLED},
+                                        OIT_I_STEP_CLEAR,
+                                        1};
+static const oit_i_list oit_i_counted_and_linked = {{OIT_I_STEP_CLEAR, OIT_I_STEP_COUNT, OIT_I_STEP_SUM,
+                                                     OIT_I_STEP_TOPS, OIT_I_STEP_SPREAD, OIT_I_STEP_FILL,
+                                                     OIT_I_STEP_GATHER, OIT_I_STEP_FILLED},
+                                                    OIT_I_STEP_CLEAR,
+                                                    0};
+static const oit_i_list oit_i_linked_again = {
+    {OIT_I_STEP_CLEAR, OIT_I_STEP_FILL, OIT_I_STEP_GATHER, OIT_I_STEP_FILLED}, OIT_I_STEP_CLEAR, 2};
+
 /* The slab as one part. */
 static void oit_i_whole_part(oit_context *oit) {
     oit->part[0] = oit->part[1] = 0;
@@ -3617,20 +3756,32 @@ static void oit_i_whole_part(oit_context *oit) {
     oit->part_start = 0;
 }
 
-/* Whether the pixel buffer has the counts of a frame of this size, and what they suggest may fit. */
+/* Whether the frame before was of this size, and of the same things. */
+static int oit_i_continues(const oit_context *oit) {
+    return !oit->frame.cut && oit->settled_width == oit->frame.width && oit->settled_height == oit->frame.height;
+}
+
+/* Whether the pixel buffer has counts to go by, and what they suggest may fit. */
 static int oit_i_can_predict(const oit_context *oit) {
     oit_i_u most = (oit_i_u)(oit->desc.ceiling_bytes / oit_i_record_bytes(oit));
-    return !oit->frame.cut && oit->settled_width == oit->frame.width && oit->settled_height == oit->frame.height &&
-           (oit->desc.fit == OIT_FIT_ASYNC || oit->places <= most);
+    return oit_i_continues(oit) && (oit->desc.fit == OIT_FIT_ASYNC || oit->places <= most);
+}
+
+/* Whether all may fit, or can be filled again if not. */
+static int oit_i_can_link(const oit_context *oit) {
+    return oit->desc.fit == OIT_FIT_WAIT ||
+           (oit_i_continues(oit) && oit->report.frame > 0 && oit->places <= oit->capacity);
 }
 
 static void oit_i_start_slab(oit_context *oit) {
     oit->list = &oit_i_exact;
     if (oit->desc.store == OIT_STORE_PREDICT)
         oit->list = oit_i_can_predict(oit) ? &oit_i_predicted : &oit_i_counted;
-    else if (oit->desc.store == OIT_STORE_BUDGET)
+    if (oit->desc.store == OIT_STORE_LINKED)
+        oit->list = oit_i_can_link(oit) ? &oit_i_linked : &oit_i_counted_and_linked;
+    if (oit->desc.store == OIT_STORE_BUDGET)
         oit->list = &oit_i_budget;
-    else if (oit->desc.store == OIT_STORE_BUCKETED)
+    if (oit->desc.store == OIT_STORE_BUCKETED)
         oit->list = &oit_i_bucketed;
     oit->settled_width = 0;
     oit->step = (oit_i_step)oit->list->steps[0];
@@ -3640,7 +3791,6 @@ static void oit_i_start_slab(oit_context *oit) {
 /* All that a frame needs; in a steady one nothing is missing, and the block is the same. */
 static oit_result oit_i_prepare(oit_context *oit) {
     oit_i_block block;
-    oit_i_u needed;
     int32_t bound = oit_i_borrow_target(oit);
     oit_result result;
     int news;
@@ -3654,11 +3804,10 @@ static oit_result oit_i_prepare(oit_context *oit) {
         result = oit_i_fail(&oit->desc, OIT_OUT_OF_MEMORY, "oit_begin", "no vertex array");
     if (result == OIT_OK)
         result = oit_i_make_buffers(oit);
-    needed = oit->desc.store == OIT_STORE_PREDICT ? oit->places : oit->report.needed;
     if (result == OIT_OK && !oit_i_keeps(&oit->desc) &&
-        (oit->desc.fit == OIT_FIT_ASYNC ? news : oit->desc.store == OIT_STORE_PREDICT) &&
-        oit_i_capacity_is_wrong(oit, needed))
-        result = oit_i_set_capacity(oit, oit_i_with_quarter(needed), "oit_begin");
+        (oit->desc.fit == OIT_FIT_ASYNC ? news : oit->desc.store != OIT_STORE_EXACT) &&
+        oit_i_capacity_is_wrong(oit, oit->places))
+        result = oit_i_set_capacity(oit, oit_i_with_quarter(oit->places), "oit_begin");
     if (result == OIT_OK) {
         oit_i_start_slab(oit);
         block = oit_i_make_block(oit);
@@ -3727,6 +3876,10 @@ OIT_I_API oit_result oit_begin(oit_context *oit, const oit_frame *frame) {
      compose  pixels, fragments           read        fill; settle (how many came, the tail)
      predict  pixels: own words, counts read; starts, totals, tail written    settle and report of the frame before
      settle   pixels: starts, counts read; own words, totals, tail written; fragments read    fill
+     gather   pixels: starts, own words read, counts and tail written; list read; fragments written    spread, fill, and
+              compose of the frame or band before
+   With OIT_STORE_LINKED fill writes the list in the place of the fragments, and clear what gather of the band before has
+   read.
 
    Of the stores that keep the k nearest:
 
@@ -3761,6 +3914,8 @@ static oit_i_u oit_i_barrier_before(oit_pass_kind kind) {
     case OIT_PASS_KEEP:
         return OIT_I_GL_SHADER_STORAGE_BARRIER;
     case OIT_PASS_ARRANGE:
+        return OIT_I_GL_SHADER_STORAGE_BARRIER;
+    case OIT_PASS_GATHER:
         return OIT_I_GL_SHADER_STORAGE_BARRIER;
     default: /* compose; its draws only read, so once before the first */
         return OIT_I_GL_SHADER_STORAGE_BARRIER;
@@ -3797,6 +3952,8 @@ static int oit_i_program_of(const oit_context *oit, oit_pass_kind kind) {
         return OIT_I_PROGRAM_KEEP;
     case OIT_PASS_ARRANGE:
         return OIT_I_PROGRAM_ARRANGE;
+    case OIT_PASS_GATHER:
+        return OIT_I_PROGRAM_GATHER;
     case OIT_PASS_FILL:
         return oit_i_is_lit(oit) ? OIT_I_PROGRAM_FILL_LIT : OIT_I_PROGRAM_FILL;
     default:
@@ -3844,6 +4001,8 @@ static void oit_i_fill_pass(const oit_context *oit, oit_pass_kind kind, oit_pass
     for (i = 0; i < 2; ++i)
         state->storage_buffers[i] = oit->buffers[OIT_I_PIXELS + i];
     state->storage_buffers[2] = oit->slot >= 0 ? oit->buffers[OIT_I_REPORT + oit->slot] : 0;
+    if (oit->desc.store == OIT_STORE_LINKED && (kind == OIT_PASS_FILL || kind == OIT_PASS_GATHER))
+        state->storage_buffers[kind == OIT_PASS_FILL ? 1 : 2] = oit->buffers[OIT_I_LIST];
     state->first_storage_binding = oit->desc.first_storage_binding;
     state->uniform_buffer = oit->buffers[OIT_I_UNIFORMS];
     state->uniform_binding = oit->desc.uniform_binding;
@@ -3947,6 +4106,19 @@ static oit_result oit_i_read_measure(oit_context *oit, oit_i_u totals[OIT_I_HEAD
     return OIT_OK;
 }
 
+/* Lists that fit stay as they are: they hold what has been drawn. */
+static oit_result oit_i_fit_pool(oit_context *oit) {
+    if (oit->list == &oit_i_linked && oit->needed <= oit->capacity)
+        return OIT_OK;
+    if (oit->list == &oit_i_linked) {
+        oit->list = &oit_i_linked_again;
+        oit->step = (oit_i_step)oit->list->steps[0];
+    }
+    return oit_i_capacity_is_wrong(oit, oit->needed)
+               ? oit_i_set_capacity(oit, oit_i_with_quarter(oit->needed), "oit_next_pass")
+               : OIT_OK;
+}
+
 /* OIT_FIT_WAIT: how much the slab needs is read, and the pool made to hold it if that may be. */
 static oit_result oit_i_measure(oit_context *oit) {
     oit_i_u totals[OIT_I_HEADER_WORDS];
@@ -3956,10 +4128,9 @@ static oit_result oit_i_measure(oit_context *oit) {
         result = oit_i_fail(&oit->desc, OIT_TOO_LARGE, "oit_next_pass", "2^32 fragments or more");
     if (result == OIT_OK) {
         oit->needed = totals[5];
-        if (oit->list == &oit_i_counted)
+        if (oit->list != &oit_i_refilled)
             oit_i_note_places(oit, totals, 0);
-        if (oit_i_capacity_is_wrong(oit, oit->needed))
-            result = oit_i_set_capacity(oit, oit_i_with_quarter(oit->needed), "oit_next_pass");
+        result = oit_i_fit_pool(oit);
     }
     oit_i_return_target(oit, bound);
     return result;
@@ -4043,9 +4214,9 @@ static oit_result oit_i_after_part(oit_context *oit) {
 /* The pass of the present step. Returns 0 where there is none. */
 static int oit_i_kind_of_step(const oit_context *oit, oit_pass_kind *kind) {
     static const oit_pass_kind kinds[OIT_I_STEP_DONE] = {
-        OIT_PASS_CLEAR,  OIT_PASS_COUNT,   OIT_PASS_SUM,    OIT_PASS_TOPS,   OIT_PASS_SPREAD,
-        OIT_PASS_REPORT, OIT_PASS_PREDICT, OIT_PASS_SETTLE, OIT_PASS_REPORT, OIT_PASS_FILL,
-        OIT_PASS_FILL,   OIT_PASS_COMPOSE, OIT_PASS_REPORT, OIT_PASS_KEEP,   OIT_PASS_ARRANGE};
+        OIT_PASS_CLEAR,   OIT_PASS_COUNT,  OIT_PASS_SUM,    OIT_PASS_TOPS,   OIT_PASS_SPREAD, OIT_PASS_REPORT,
+        OIT_PASS_PREDICT, OIT_PASS_SETTLE, OIT_PASS_GATHER, OIT_PASS_REPORT, OIT_PASS_FILL,   OIT_PASS_FILL,
+        OIT_PASS_COMPOSE, OIT_PASS_REPORT, OIT_PASS_KEEP,   OIT_PASS_ARRANGE};
     if (oit->step == OIT_I_STEP_FILLED || oit->step == OIT_I_STEP_DONE)
         return 0;
     *kind = kinds[(int)oit->step];
@@ -4066,7 +4237,7 @@ static void oit_i_advance(oit_context *oit) {
     } else if (oit->step == OIT_I_STEP_REPORT) {
         oit->step = OIT_I_STEP_DONE;
     } else {
-        if (oit->step == OIT_I_STEP_SETTLE && oit_i_is_whole(oit)) {
+        if ((oit->step == OIT_I_STEP_SETTLE || oit->step == OIT_I_STEP_GATHER) && oit_i_is_whole(oit)) {
             oit->settled_width = oit->frame.width;
             oit->settled_height = oit->frame.height;
         }

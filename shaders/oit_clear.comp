@@ -12,6 +12,11 @@ void main()
         uint p = first + 128u * i;
         if (p >= oit_pool.x)
             continue;
+#if OIT_STORE == OIT_LINKED
+        oit_pixel[OIT_HEAD(p)] = 0u;
+        if (OIT_AGAIN)
+            continue;
+#endif
         oit_pixel[OIT_WANTED(p)] = 0u;
 #if OIT_KEEPS
         oit_pixel[OIT_LIMIT(p)] = OIT_NONE;
@@ -26,6 +31,8 @@ void main()
     for (uint i = block * OIT_BLOCK * each + gl_LocalInvocationID.x; i < end; i += 128u)
         oit_pixel[OIT_KEY(0u, i)] = OIT_NONE;
 #endif
-    if (oit_step.x != 0u && first < OIT_HEADER)
+    if (oit_step.x != 0u && first < OIT_HEADER && !OIT_AGAIN)
+        oit_pixel[first] = 0u;
+    if (first == OIT_TAKEN)
         oit_pixel[first] = 0u;
 }

@@ -5,8 +5,8 @@ layout(std140, binding = OIT_UNIFORM_BINDING) uniform oit_frame
     highp ivec4 oit_area;  // x, y of the slab's corner in the target, its width and height
     highp uvec4 oit_pool;  // x: pixels of the slab, y: first fragment of the band, z: capacity, w: blocks of the scan
     highp uvec4 oit_step;  // x: 1 with the first slab of a frame, y: what is deeper is left to the program for all depths,
-                           // w: 1 where the fragments are stored before they are counted; or k, of the stores that
-                           // keep the k nearest
+                           // w: 1 where the fragments are stored before they are counted, 2 where they are stored again;
+                           // or k, of the stores that keep the k nearest
     highp uvec4 oit_above; // what is not deeper than this is left to the program before: of up to 8, 16, 32, 64
     highp vec4 oit_light;  // xyz: toward the light, unit length; zero: no shading. w: weight of the background
 };
@@ -20,6 +20,7 @@ layout(std140, binding = OIT_UNIFORM_BINDING) uniform oit_frame
 #define OIT_LOST 3u        // fragments that went to the tail
 #define OIT_EXTRA 4u       // fragments that the fill met and the count had not
 #define OIT_TOTAL 5u       // fragments of this slab
+#define OIT_TAKEN 6u       // OIT_STORE_LINKED: records taken of the list
 #define OIT_PIXELS 8u      // from here on, by power of two: pixels of up to 8, 16, 32, 64 fragments, and of more
 #define OIT_HEADER 16u
 #define OIT_START(p) (OIT_HEADER + 2u * (p))
@@ -27,7 +28,11 @@ layout(std140, binding = OIT_UNIFORM_BINDING) uniform oit_frame
 #define OIT_SUM(b) (OIT_HEADER + 2u + 2u * oit_pool.x + (b))
 #define OIT_OWN(p) (OIT_HEADER + 2u + 2u * oit_pool.x + oit_pool.w + (p))
 #define OIT_TAIL(p) (OIT_OWN(0u) + uint(OIT_OWN_WORDS) * oit_pool.x + uint(OIT_TAIL_WORDS) * (p))
-#define OIT_DIRECT (oit_step.w != 0u)
+#define OIT_DIRECT (oit_step.w == 1u && OIT_KEEPS == 0)
+#define OIT_AGAIN (oit_step.w == 2u && OIT_KEEPS == 0)
+
+// OIT_STORE_LINKED: one more than the place of the pixel's last record; 0: none.
+#define OIT_HEAD(p) OIT_OWN(p)
 
 // Where the scan finds how long the run of a pixel shall be. OIT_STORE_PREDICT keeps how many fragments came in the frame
 // before, and needs no place for its guess but that where the scan writes the start.

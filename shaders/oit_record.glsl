@@ -5,7 +5,7 @@ layout(std430, binding = OIT_BINDING_PIXELS) readonly buffer oit_pixels { uint o
 #elif defined(OIT_ARRANGES)
 layout(std430, binding = OIT_BINDING_PIXELS) buffer oit_pixels { uint oit_pixel[]; };
 #endif
-layout(std430, binding = OIT_BINDING_FRAGMENTS) readonly buffer oit_fragments { OIT_VECTOR oit_data[]; };
+layout(std430, binding = OIT_BINDING_RECORDS) readonly buffer oit_fragments { OIT_VECTOR oit_data[]; };
 
 // Whether the record at a comes after that at b; by their words, then by where they lie, which only tells apart records
 // that are alike in every word.
@@ -42,7 +42,7 @@ uvec4 oit_record_words(uint at)
 #endif
 }
 
-#ifdef OIT_SETTLES
+#if defined(OIT_SETTLES) && OIT_ASYNC
 // What the record adds to the tail.
 vec4 oit_record_amounts(uint at)
 {

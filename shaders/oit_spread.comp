@@ -10,6 +10,8 @@ void oit_lose(uint p, uint count)
 #if OIT_STORE != OIT_PREDICT // where it is known when all have come
     atomicAdd(oit_pixel[OIT_LOST_PIXELS], 1u);
     atomicAdd(oit_pixel[OIT_LOST], count);
+#endif
+#if OIT_STORE == OIT_EXACT
     for (uint c = 0u; c < 4u; ++c)
         oit_pixel[OIT_TAIL(p) + c] = 0u;
 #endif
@@ -24,6 +26,7 @@ void main()
         sum = oit_add(sum, p < oit_pool.x ? oit_pixel[OIT_WANTED(p)] : 0u);
     uint before = oit_scan(gl_LocalInvocationID.x, sum);
     before = oit_add(before, block < oit_pool.w ? oit_pixel[OIT_SUM(block)] : 0u);
+    before = oit_add(before, oit_all_lost(oit_pixel[OIT_TOTAL]));
     for (uint p = first; p < first + 8u && p < oit_pool.x; ++p) {
         uint count = oit_pixel[OIT_WANTED(p)];
         oit_pixel[OIT_START(p)] = before;

@@ -218,6 +218,24 @@ void oit_to_tail(uint p, oit_fragment f, uint w[OIT_VECTORS * OIT_LANES])
 #endif
 #endif
 
+#if OIT_PASS == OIT_FILL && OIT_STORE == OIT_LINKED
+// Carnecky 2013, algorithm 1. A fragment for which the list is too small counts all the same.
+void oit_insert(uint p, oit_fragment f)
+{
+    uint w[OIT_VECTORS * OIT_LANES];
+    oit_pack(f, w);
+    uint slot = atomicAdd(oit_pixel[OIT_TAKEN], 1u);
+    if (slot >= oit_pool.z) {
+#if OIT_ASYNC
+        oit_to_tail(p, f, w);
+#endif
+        return;
+    }
+    w[OIT_AT_LINK] = atomicExchange(oit_pixel[OIT_HEAD(p)], slot + 1u);
+    oit_write(slot * uint(OIT_VECTORS), w);
+}
+#endif
+
 void oit_store(oit_fragment f)
 {
     uint p = oit_pixel_index();
@@ -232,17 +250,29 @@ void oit_store(oit_fragment f)
         return;
     }
 #endif
-    uint left = atomicAdd(oit_pixel[OIT_LEFT(p)], 0xffffffffu);
-#if OIT_ASYNC && OIT_STORE == OIT_EXACT
+    uint left = atomicAdd(oit_pixel[OIT_LEFT(p)], OIT_STORE == OIT_LINKED && OIT_DIRECT ? 1u : 0xffffffffu);
+#if OIT_ASYNC && OIT_STORE != OIT_PREDICT
     if (left >> 30u == 1u) { // OIT_UNFIT, and not what wraps below 0
-        uint count = oit_pixel[OIT_START(p + 1u)] - oit_pixel[OIT_START(p)];
-        if (left != OIT_UNFIT)
-            oit_to_tail(p, count, f);
-        else
+        if (left == OIT_UNFIT) {
             atomicAdd(oit_pixel[OIT_EXTRA], 1u);
+            return;
+        }
+#if OIT_TAIL_WORDS == 4
+        oit_to_tail(p, oit_pixel[OIT_START(p + 1u)] - oit_pixel[OIT_START(p)], f);
+#else
+        uint words[OIT_VECTORS * OIT_LANES];
+        oit_pack(f, words);
+        oit_to_tail(p, f, words);
+#endif
         return;
     }
 #endif
+#if OIT_STORE == OIT_LINKED
+    if (OIT_DIRECT || left - 1u < oit_pool.z)
+        oit_insert(p, f);
+    else
+        atomicAdd(oit_pixel[OIT_EXTRA], 1u);
+#else
     // Nothing is written outside of the run, however many fragments come: after as many as were counted, what is left is
     // 0, and then wraps to more than any pool holds.
     uint w[OIT_VECTORS * OIT_LANES];
@@ -257,6 +287,7 @@ void oit_store(oit_fragment f)
         return;
     }
     oit_write(slot * uint(OIT_VECTORS), w);
+#endif
 #endif
 }
 

@@ -217,6 +217,9 @@ static void fake_ShaderSource(U shader, I count, const char *const *strings, con
     driver.shader_hosts[shader] = strstr(source, "void oit_store(vec4 color)") != NULL;
     for (int i = 0; i < 3; ++i)
         driver.shader_uses[shader][i] = uses_of(source, bindings[i]);
+    /* Records are read where they lie in runs, or in lists. */
+    bool lists = strstr(source, "#define OIT_BINDING_RECORDS OIT_BINDING_REPORT") != NULL;
+    driver.shader_uses[shader][lists ? 2 : 1] |= uses_of(source, "OIT_BINDING_RECORDS");
     if (strstr(source, "#define OIT_PASS 0\n")) /* counting stores nothing */
         driver.shader_uses[shader][1] = 0;
     if (strstr(source, "#define OIT_ARRANGES 1\n")) /* of two declarations the second holds */
@@ -529,6 +532,11 @@ static const oit_desc descs[] = {
     {.store = OIT_STORE_PREDICT, .fit = OIT_FIT_ASYNC, .state = OIT_STATE_NONE},
     {.store = OIT_STORE_PREDICT, .ceiling_bytes = 64 * 16 * 9},
     {.store = OIT_STORE_PREDICT, .fit = OIT_FIT_ASYNC, .max_block_bytes = 15000},
+    {.store = OIT_STORE_LINKED},
+    {.store = OIT_STORE_LINKED, .fit = OIT_FIT_ASYNC},
+    {.store = OIT_STORE_LINKED, .fit = OIT_FIT_ASYNC, .state = OIT_STATE_NONE},
+    {.store = OIT_STORE_LINKED, .ceiling_bytes = 64 * 16 * 18},
+    {.store = OIT_STORE_LINKED, .fit = OIT_FIT_ASYNC, .max_block_bytes = 15000},
     {.store = OIT_STORE_BUDGET, .layers = 8},
     {.store = OIT_STORE_BUDGET, .layers = 70, .fit = OIT_FIT_ASYNC, .fields = OIT_FIELD_BLEND},
     {.store = OIT_STORE_BUDGET, .budget_bytes = 1, .fit = OIT_FIT_ASYNC, .state = OIT_STATE_NONE}, /* no layer */

@@ -147,6 +147,8 @@ static bool dump_all_oit(const char *folder) {
         {.store = OIT_STORE_PREDICT},
         {.store = OIT_STORE_PREDICT, .fit = OIT_FIT_ASYNC, .fields = OIT_FIELD_ALL, .premultiplied = 1},
         {.store = OIT_STORE_PREDICT, .fit = OIT_FIT_ASYNC, .color = OIT_COLOR_FLOAT, .host_words = 1},
+        {.store = OIT_STORE_LINKED},
+        {.store = OIT_STORE_LINKED, .fit = OIT_FIT_ASYNC, .fields = OIT_FIELD_ALL, .host_words = 2},
         {.store = OIT_STORE_BUDGET, .reversed_z = 1},
         {.store = OIT_STORE_BUDGET, .fit = OIT_FIT_ASYNC, .fields = OIT_FIELD_ALL, .premultiplied = 1},
         {.store = OIT_STORE_BUCKETED, .fields = OIT_FIELD_PART, .color = OIT_COLOR_FLOAT},
