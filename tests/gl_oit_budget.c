@@ -142,11 +142,20 @@ static void use(oit_setting *t, oit_desc desc) {
         fail_msg("oit_create: %s", oit_result_string(result));
 }
 
-/* The store with k layers, by its budget. */
+static bool is_in_use(const oit_setting *t, const oit_desc *desc) {
+    const oit_desc *d = &t->oit->desc;
+    return d->store == desc->store && d->fields == desc->fields && d->color == desc->color && d->fit == desc->fit &&
+           d->host_words == desc->host_words && d->reversed_z == desc->reversed_z &&
+           d->bucket_depth_bits == desc->bucket_depth_bits;
+}
+
+/* The store with k layers, by its budget; which may change from frame to frame, as the size of the target may. */
 static void use_layers(oit_setting *t, oit_desc desc, int k) {
-    int64_t each = 24 + (desc.store == OIT_STORE_BUCKETED ? 12 : 4);  /* with a part or without */
-    desc.budget_bytes = (int64_t)k * t->width * t->height * each + 1; /* 0 is the default */
-    use(t, desc);
+    int64_t each = 24 + (desc.store == OIT_STORE_BUCKETED ? 12 : 4); /* with a part or without */
+    if (!is_in_use(t, &desc))
+        use(t, desc);
+    each = desc.host_words ? oit_get_info(t->oit).fragment_bytes + 4 : each;
+    t->oit->desc.budget_bytes = (int64_t)k * t->width * t->height * each + 1;
 }
 
 static float *draw(oit_setting *t, oit_scene *s, const size_t *order) {
@@ -755,6 +764,7 @@ static uint32_t *ask(oit_setting *t, uint32_t pixels, uint32_t parts) {
     GLint ok = 0;
     oit_i_add_preamble(&source, t->oit->info.es, t->oit->preamble);
     oit_i_add_chunks(&source, oit_i_shader_oit_frame_block_glsl);
+    oit_i_add(&source, "#define OIT_BINDING_RECORDS OIT_BINDING_FRAGMENTS\n");
     oit_i_add_chunks(&source, oit_i_shader_oit_record_glsl);
     oit_i_add_chunks(&source, oit_i_shader_oit_buckets_glsl);
     oit_i_add(&source, asker);
