@@ -8,6 +8,9 @@
    - loses nothing: with OIT_FIT_WAIT the buffer is made to fit, and over its ceiling the picture is drawn in bands. With
      OIT_FIT_ASYNC it never waits for the GPU: pixels that do not fit for a frame are composed from sums that do not
      depend on the order either, are counted, and fit in the frames after
+   - or, with OIT_STORE_BUDGET, takes no more memory than it is given and never waits: the k nearest fragments of each
+     pixel, chosen by set and not by arrival, and sums of the others behind them; what was lost is counted.
+     OIT_STORE_BUCKETED also groups them by part (Murray, Baril, Granier 2016)
    - blends by fragment: over, additive, multiply
    - works with the host's own shaders through one function call, and has shaders for hosts that have none
    - leaves the GL state as found, or tells the host which state each pass wants
@@ -15,7 +18,6 @@
    DOES NOT
    - create a context, or run where there are no compute shaders: macOS and WebGL 2 stay with transparency.h
    - draw into multisampled targets: oit_begin returns OIT_TARGET_MULTISAMPLED
-   - keep the k nearest fragments only, or fill in one geometry pass: version 0.2 has the exact store, two geometry passes
    - find neighbours along surfaces, pick through layers or write a depth of the composite
 
    QUICK START, given a current context and its getter of function pointers
@@ -102,7 +104,7 @@
    and oit_end, oit_next_pass returns 0 and oit_compose and oit_end return the reason; oit_end restores the state even so,
    and the next frame may be tried. One heap block a context, and one more for the time that a shader is made. On the GPU:
    8 bytes a pixel (24 with OIT_FIT_ASYNC), and oit_get_info().fragment_bytes a fragment, a quarter more of them than the
-   last frame needed. One context of ours for one GL context, used from the thread that has it current.
+   last frame needed. With OIT_STORE_BUDGET and OIT_STORE_BUCKETED 40 bytes a pixel and desc.budget_bytes. One context of ours for one GL context, used from the thread that has it current.
 
    RECIPES
    - Your own shaders: prepend the strings of oit_glsl() to a vertex and a fragment shader (which then begins without
@@ -114,6 +116,8 @@
    - Particles and tinted glass: OIT_FIELD_BLEND, and fragment.blend = OIT_BLEND_ADD or OIT_BLEND_MULTIPLY.
    - A stable order where surfaces coincide: OIT_FIELD_PART with the object's number.
    - What a frame needed: oit_get_report. In games look at lost_pixels now and then.
+   - A fixed price whatever is drawn: OIT_STORE_BUDGET; desc.layers bounds k where the budget would give more. With
+     OIT_STORE_BUCKETED and 16 bits of depth the count pass chooses by part as well: set fragment.part there too.
 
    LIMITS AND PRECISION
    - Depths are gl_FragCoord.z in 32 bits: layers are told apart down to one unit in the last place.
@@ -122,6 +126,8 @@
      within 10^-5 with OIT_COLOR_FLOAT. Infinities and NaN in a colour become 0, alpha is cut to [0,1].
    - Layers behind a transmittance below 2^-24 are left out.
    - The tail takes colours up to 4, takes all layers of a pixel as evenly mixed, and is exact where they have one colour.
+   - Of the k nearest: where fragments tie for the last places of a pixel, those of that depth go to the tail together, be
+     their parts and keys what they may. A tail holds 65,535 fragments, to 2^-26 of optical depth each; k is at most 1,024.
    - Mesa's software driver ends a shader's loops after 65,535 rounds: pixels of more than about 1,400 fragments lose some
      there.
    - Image size: what GL_MAX_VIEWPORT_DIMS and storage blocks of one row allow. A viewport of no area is no error.
@@ -190,9 +196,11 @@ typedef enum oit_fit {
 typedef enum oit_store_kind {
     OIT_STORE_EXACT, /* counted, then filled: two geometry passes, runs that fit exactly */
     OIT_STORE_PREDICT, /* one geometry pass: runs as long as the frame before suggests; see DOES and docs/oit_buffers.md */
+    /* Two geometry passes: the first finds the depth up to which k fragments of a pixel fit in budget_bytes, the second
+       stores those before it and sums up the others. No read-back between them and no growth, whatever the fit. */
     OIT_STORE_BUDGET,
     OIT_STORE_LINKED, /* the paper's lists, one geometry pass; each pixel's is copied into a run after it: half of the pool */
-    OIT_STORE_BUCKETED,
+    OIT_STORE_BUCKETED, /* that, and the fragments of each pixel grouped by OIT_FIELD_PART, for those who look for neighbours */
     OIT_STORE_FETCH
 } oit_store_kind;
 
@@ -237,9 +245,11 @@ typedef struct oit_desc {
     oit_store_kind store;
     int headroom; /* OIT_STORE_PREDICT: places that a pixel gets beyond those that it or a neighbour needed in the frame
                      before, in sixteenths, rounded up; at most 64; 0: default 2; negative: none */
-    int64_t budget_bytes;  /* BUDGET, BUCKETED: for the fragments of the image; 0: 256 MiB */
-    int layers;            /* BUDGET, BUCKETED: keep no more of a pixel; 0: as many as the budget has room for */
-    int bucket_depth_bits; /* BUCKETED: choose the nearest by so many bits of the depth, 16 or 32; 0: 32 */
+    int64_t budget_bytes; /* BUDGET, BUCKETED: for the fragments of the image; 0: 256 MiB. A fragment takes 4 bytes more
+                              than fragment_bytes, with BUCKETED 12 more: k is what that gives for each pixel, at most 1,024 */
+    int layers;           /* BUDGET, BUCKETED: keep no more of a pixel; 0: as many as the budget has room for */
+    int bucket_depth_bits; /* BUCKETED: choose the nearest by so many bits of the depth, 16 (then by part, as published) or
+                              32; 0: 32. Composed by all bits in either case */
 } oit_desc;
 
 typedef struct oit_info {
@@ -260,8 +270,8 @@ typedef struct oit_report {
     uint64_t frame;       /* 1 is the first oit_begin; 0: none is finished yet */
     uint32_t needed;      /* fragments of the image (of its largest slab, where it needs several) */
     uint32_t deepest;     /* fragments of the deepest pixel */
-    uint32_t lost_pixels; /* composed from the tail */
-    uint32_t lost;        /* fragments of those */
+    uint32_t lost_pixels; /* composed from the tail; BUDGET, BUCKETED: that have a tail behind what is kept */
+    uint32_t lost;        /* fragments of those; BUDGET, BUCKETED: that are in the tail */
     uint32_t extra;       /* fragments that the fill pass met and the count pass had not: not stored */
     uint32_t capacity;    /* fragments that the pool held in that frame */
     uint32_t bands;       /* fill passes */
@@ -3706,7 +3716,8 @@ static oit_result oit_i_make_programs(oit_context *oit) {
 
 /* ---- the steps of each store ---- */
 
-/* The k nearest are chosen by their keys in a first geometry pass, and come in a second. */
+/* The k nearest are chosen by their keys in a first geometry pass, and come in a second: with one, what a nearer fragment
+   drives out would have to take its record along, and atomics of 32 bits move one word. */
 static const oit_i_list oit_i_budget = {
     {OIT_I_STEP_CLEAR, OIT_I_STEP_COUNT, OIT_I_STEP_KEEP, OIT_I_STEP_FILL, OIT_I_STEP_FILLED}, OIT_I_STEP_FILL, 0};
 static const oit_i_list oit_i_bucketed = {
