@@ -245,9 +245,11 @@ typedef struct oit_desc {
     oit_store_kind store;
     int headroom; /* OIT_STORE_PREDICT: places that a pixel gets beyond those that it or a neighbour needed in the frame
                      before, in sixteenths, rounded up; at most 64; 0: default 2; negative: none */
-    int64_t budget_bytes; /* BUDGET, BUCKETED: for the fragments of the image; 0: 256 MiB. A fragment takes 4 bytes more
-                              than fragment_bytes, with BUCKETED 12 more: k is what that gives for each pixel, at most 1,024 */
-    int layers;           /* BUDGET, BUCKETED: keep no more of a pixel; 0: as many as the budget has room for */
+    int64_t
+        budget_bytes; /* BUDGET, BUCKETED: for the fragments of the image; 0: 256 MiB, or what a storage block holds. A
+                             fragment takes 4 bytes more than fragment_bytes, with BUCKETED 12 more; k is what that gives for
+                             each pixel, at most 1,024. What a block does not hold is drawn in slabs */
+    int layers;       /* BUDGET, BUCKETED: keep no more of a pixel; 0: as many as the budget has room for */
     int bucket_depth_bits; /* BUCKETED: choose the nearest by so many bits of the depth, 16 (then by part, as published) or
                               32; 0: 32. Composed by all bits in either case */
 } oit_desc;
@@ -3235,8 +3237,8 @@ static void oit_i_limit_blocks(oit_context *oit) {
         oit->desc.ceiling_bytes = (int64_t)512 << 20;
     if (oit->desc.ceiling_bytes > most)
         oit->desc.ceiling_bytes = most;
-    if (oit->desc.budget_bytes == 0)
-        oit->desc.budget_bytes = (int64_t)256 << 20;
+    if (oit->desc.budget_bytes == 0) /* more than a block would cut the image into slabs, each drawn twice */
+        oit->desc.budget_bytes = most < (int64_t)256 << 20 ? most : (int64_t)256 << 20;
 }
 
 static oit_result oit_i_set_up(oit_context *oit) {

@@ -515,6 +515,51 @@ static void test_one_ulp_apart(void **state) {
     free(s);
 }
 
+/* What it costs to choose by 16 bits of the depth (Murray 2016, section 4.2): nothing where no more than the k nearest share
+ * a step of 1/65534; else the part chooses among them, and of one part none is kept. Against the picture of 32 bits. */
+static void test_what_16_bits_cost(void **state) {
+    enum { LAYERS = 64, K = 8 };
+    (void)state;
+    oit_setting t;
+    oit_scene *s = malloc(sizeof *s);
+    open_setting(&t, false, 4, 4);
+    for (int power = 15; power <= 21; ++power)
+        for (int parts = 0; parts < 2; ++parts) {
+            uint32_t seed = 5;
+            float *pictures[2];
+            oit_report reports[2];
+            double error = 0;
+            oit_scene_init(s, 4, 4);
+            for (int i = 0; i < LAYERS; ++i) {
+                const double z = ldexp(i, 1 - power), zs[4] = {z, z, z, z}; /* window depth 0.5 + i 2^-power */
+                double color[4] = {0, 0, 0, 0.3};
+                for (int c = 0; c < 3; ++c)
+                    color[c] = oit_scene_random(&seed);
+                oit_scene_quad(s, -1, -1, 1, 1, zs, color);
+                s->objects[i].part = parts ? (uint32_t)(i * 37 % LAYERS) : 1;
+            }
+            for (int i = 0; i < 2; ++i) {
+                use_layers(&t, i ? bucketed_16 : bucketed, K);
+                pictures[i] = draw(&t, s, NULL);
+                reports[i] = report_of(&t);
+            }
+            for (int i = 0; i < 4 * 16; ++i)
+                error = fmax(error, fabs((double)pictures[0][i] - (double)pictures[1][i]));
+            printf("    2^-%d apart, %s: %2u and %2u of %d kept, error %.3g\n", power,
+                   parts ? "of 64 parts" : "of one part", LAYERS - reports[0].lost / 16, LAYERS - reports[1].lost / 16,
+                   LAYERS, error);
+            assert_int_equal(reports[0].lost, 16 * (LAYERS - K));
+            assert_true(power == 15 ? error == 0 && reports[1].lost == reports[0].lost : true);
+            assert_true(power == 21 ? error > 0.01 : true);
+            assert_true(power == 21 && !parts ? reports[1].lost == 16 * LAYERS : true);
+            free(pictures[0]);
+            free(pictures[1]);
+            oit_scene_drop(s);
+        }
+    oit_setting_close(&t);
+    free(s);
+}
+
 /* Sheets alike in every word before and behind others: all are kept, or none. */
 static void test_identical_layers(void **state) {
     (void)state;
@@ -847,6 +892,7 @@ int main(void) {
         cmocka_unit_test(test_pictures_match_the_reference),
         cmocka_unit_test(test_reversed_depth),
         cmocka_unit_test(test_one_ulp_apart),
+        cmocka_unit_test(test_what_16_bits_cost),
         cmocka_unit_test(test_identical_layers),
         cmocka_unit_test(test_alpha_extremes),
         cmocka_unit_test(test_tail_carries),

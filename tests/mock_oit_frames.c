@@ -826,6 +826,22 @@ static void test_no_memory_for_a_budget(void **state) {
     }
 }
 
+/* The stores that keep the k nearest need no read-back within a frame, whatever the fit; the third report from now is
+ * waited for with OIT_FIT_WAIT, as ever. */
+static void test_a_budget_reads_nothing_back(void **state) {
+    (void)state;
+    for (int store = 0; store < 2; ++store) {
+        oit_desc desc = {.store = store ? OIT_STORE_BUCKETED : OIT_STORE_BUDGET, .fields = OIT_FIELD_PART, .layers = 8};
+        oit_context *oit = make(desc);
+        int maps = called_since(0, "MapBufferRange");
+        for (int run = 0; run < 3; ++run)
+            assert_int_equal(draw_frame(oit, &frame, NULL), OIT_OK);
+        assert_int_equal(called_since(0, "MapBufferRange"), maps);
+        assert_int_equal(driver.waits, 0);
+        oit_destroy(oit);
+    }
+}
+
 /* What a pass of the stores that keep the k nearest is, in its order. */
 static void test_passes_of_a_budget(void **state) {
     static const oit_pass_kind expected[2][8] = {
@@ -935,6 +951,7 @@ int main(void) {
         DRIVER_TEST(test_no_memory_for_growth_of_any_store),
         DRIVER_TEST(test_predicted_frames),
         DRIVER_TEST(test_no_memory_for_a_budget),
+        DRIVER_TEST(test_a_budget_reads_nothing_back),
         DRIVER_TEST(test_passes_of_a_budget),
         DRIVER_TEST(test_pixel_deeper_than_the_ceiling),
         DRIVER_TEST(test_wrong_order_and_bad_frames),
