@@ -1,4 +1,4 @@
-/* transparency.h - v0.2.0 - illustrators' transparency for OpenGL 3.3, OpenGL ES 3.0 and WebGL 2 - MIT licence, at the end
+/* transparency.h - v0.3.0 - illustrators' transparency for OpenGL 3.3, OpenGL ES 3.0 and WebGL 2 - MIT licence, at the end
 
    DOES
    - draws technical illustrations in which opaque things show through the transparent objects that enclose them, after
@@ -184,7 +184,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#define TR_VERSION 200 /* major * 10000 + minor * 100 + patch */
+#define TR_VERSION 300 /* major * 10000 + minor * 100 + patch */
 
 #ifndef TR_STATIC
 #define TR_DEF extern
@@ -370,6 +370,19 @@ typedef enum tr_pass_kind {
     TR_PASS_HIDDEN_LINES,      /* phantom lines where those are hidden, into the target */
     TR_PASS_OUTER_LINES,       /* wide outlines outside of everything, into the target */
     TR_PASS_TAKE_OPAQUE,       /* full screen, before TR_PASS_OPAQUE: the same, from the host's textures */
+    /* of tr_begin_dynamic; the host draws pass.units in those that are not called full screen */
+    TR_PASS_BLOCK,        /* depth of what closes masks */
+    TR_PASS_TARGETS,      /* depth and strength of the nearest target */
+    TR_PASS_SPREAD_X,     /* full screen, as are all of these four: nearest pixel of a target in each row */
+    TR_PASS_SPREAD_Y,     /* nearest of all, at the mask's resolution */
+    TR_PASS_FINISH,       /* mask and its depth, at the target's resolution */
+    TR_PASS_PRIME,        /* depth that lets nothing be drawn outside of masks */
+    TR_PASS_SCENE,        /* the host's whole scene, as it always draws it */
+    TR_PASS_BEHIND,       /* what shows through masks */
+    TR_PASS_YIELD,        /* importance of the front-most unit */
+    TR_PASS_COMPOSE_MASK, /* full screen, into the target: the former over the scene */
+    TR_PASS_QUERY,        /* full screen: which target, at a quarter of the resolution */
+    TR_PASS_HIDES,        /* the same resolution: where something lies before it */
     TR_PASS_KIND_COUNT
 } tr_pass_kind;
 
@@ -390,7 +403,16 @@ typedef enum tr_rule {
     TR_RULE_LIMIT_MARKED_SHEET,
     TR_RULE_OPAQUE,
     TR_RULE_OPAQUE_ENTERING,
-    TR_RULE_COUNT
+    TR_RULE_COUNT, /* of those of tr_begin */
+    /* Of tr_begin_dynamic, shaders/see_rules.glsl: tr_see_through in place of tr_surface. */
+    TR_RULE_SEE_PLAIN = TR_RULE_COUNT, /* nothing: the host's own program, as it is */
+    TR_RULE_SEE_BLOCK,
+    TR_RULE_SEE_TARGET,
+    TR_RULE_SEE_BEHIND,
+    TR_RULE_SEE_YIELD,
+    TR_RULE_SEE_DITHER,
+    TR_RULE_SEE_HIDES,
+    TR_RULE_SEE_END
 } tr_rule;
 
 #define TR_MAX_PASSES 64
@@ -438,7 +460,7 @@ typedef struct tr_state {
     int viewport[4];
     uint32_t program;      /* built-in; the host's own may stand in for it in surface passes */
     uint32_t vertex_array; /* of full-screen passes */
-    int vertex_count;      /* 3: the host draws glDrawArrays(GL_TRIANGLES, 0, 3); 0: the host draws its objects */
+    int vertex_count;      /* not 0: the host draws glDrawArrays(GL_TRIANGLES, 0, vertex_count); 0: its objects */
     uint32_t textures[TR_TEXTURE_UNITS];        /* on unit first_texture_unit + i, no sampler object; 0: not read */
     uint32_t texture_targets[TR_TEXTURE_UNITS]; /* GL_TEXTURE_2D or GL_TEXTURE_2D_ARRAY */
     int first_texture_unit;
@@ -456,6 +478,7 @@ typedef struct tr_state {
     uint32_t blend_source, blend_destination, blend_source_alpha, blend_destination_alpha; /* equation: add */
     uint32_t cull_face;                                                                    /* 0: none */
     uint32_t front_face;
+    int scissor[4]; /* x, y, width, height, for clears too; width 0: no scissor test */
 } tr_state;
 
 typedef struct tr_pass {
@@ -466,6 +489,8 @@ typedef struct tr_pass {
     int layer;      /* that the pass draws, 0: the front-most */
     const char *name;
     tr_state state;
+    const uint32_t *units; /* of tr_begin_dynamic: indices into the host's array, in the order in which to draw them */
+    size_t unit_count;
 } tr_pass;
 
 typedef struct tr_context tr_context;
@@ -483,6 +508,145 @@ TR_DEF tr_result tr_end(tr_context *tr); /* may come early: what is drawn so far
 
 /* The number that shaders know an object by: id, group (from bit 24) and, in bit 31, whether its interiors are explicit. */
 TR_DEF uint32_t tr_object_code(const tr_object *object, const tr_wishes *wishes);
+
+/* ---- dynamic transparency --------------------------------------------------------------------------------------- */
+
+/* What a unit is; without TR_UNIT_TARGET, a distractor: something that a target is seen through. */
+enum {
+    TR_UNIT_TARGET = 1,       /* is to be seen through what lies before it */
+    TR_UNIT_IMPENETRABLE = 2, /* never made transparent; closes the mask of targets behind it */
+    TR_UNIT_HOLLOW = 4,       /* each of its front faces is a layer; without it the front-most one alone */
+    TR_UNIT_BACKDROP = 8,     /* ground, sky: never made transparent, and the host knows of no target behind it. Not for
+                                 targets. Where there is one after all it closes the mask */
+    TR_UNIT_ACTIVE = 16       /* a target that is seen inside of the lights only */
+};
+
+/* One a host's object, in a plain array or at the start of larger structs; read by tr_begin_dynamic, not kept. */
+typedef struct tr_unit {
+    uint32_t id;             /* stable, at most 65535; targets: from 1, unique among them */
+    uint32_t flags;          /* TR_UNIT_*; 0: a distractor */
+    float center[3], radius; /* bounding sphere in the world. Not finite, or radius < 0: no bounds, the whole viewport;
+                                radius 0: a point */
+    float importance; /* clamped to [0,1]; 0: the default, 1 for targets and 0 for others; negative: 0. An occluder
+                                gives up clamp(target's - occluder's) of what the mask asks for: 1 and 0 give the paper */
+    uint32_t group;   /* 0: on its own; members of a group are ordered by rank, lowest innermost (TR_SEE_SEQUENCE) */
+    int rank;
+    float fade; /* of a target's mask: 0 whole ... 1 gone, clamped; tr_advance moves it */
+} tr_unit;
+
+/* How units are seen: see docs/dynamic.md for the error and the price of each. */
+typedef enum tr_see {
+    TR_SEE_ONE_MASK,  /* one mask for all targets, blended; order-free, one more drawing of what is in masks */
+    TR_SEE_DITHER,    /* the same mask, screen-door: one drawing, depth writes, no blending; for deferred pipelines */
+    TR_SEE_EXACT,     /* layer by layer, as the truth has it, within the masks */
+    TR_SEE_SEQUENCE,  /* whole objects back to front, a mask a target: Assarsson 2006, section 4, as amended */
+    TR_SEE_PUBLISHED, /* the same as published: all masks multiply, each occluder on its own */
+    TR_SEE_OFF,       /* plain drawing */
+    TR_SEE_COUNT
+} tr_see;
+
+typedef enum tr_mask_shape {
+    TR_MASK_OUTLINE, /* the target's own outline, grown */
+    TR_MASK_CIRCLE,
+    TR_MASK_ELLIPSE,
+    TR_MASK_HULL
+} tr_mask_shape;
+
+typedef enum tr_mask_combine {
+    TR_MASK_MIN,    /* where masks overlap the lowest opacity counts (rule R2) */
+    TR_MASK_PRODUCT /* they multiply (Assarsson 2006, section 4) */
+} tr_mask_combine;
+
+typedef enum tr_occluders {
+    TR_OCCLUDERS_TOGETHER, /* however many lie before a target, they leave it 1 - alpha_target */
+    TR_OCCLUDERS_EACH      /* each leaves 1 - alpha_target of what is behind it (the paper) */
+} tr_occluders;
+
+/* A search light on the screen: full strength within radius, falling linearly to nothing over edge. */
+typedef struct tr_light {
+    float x, y, radius, edge; /* pixels of the viewport, y up */
+} tr_light;
+#define TR_MAX_LIGHTS 8
+#define TR_MAX_MASK_WIDTH 100
+
+/* What is wished of a frame. */
+typedef struct tr_dynamic {
+    tr_see see;
+    tr_mask_shape shape;
+    tr_mask_combine combine;
+    tr_occluders occluders;
+    float alpha_target;     /* opacity left before a target, in [0,1]; 0: 0.3; negative: 0 */
+    float alpha_start;      /* and beside it, from where it rises to 1; 0: 0.1; negative: 0 */
+    float width;            /* pixels in which it rises, at most TR_MAX_MASK_WIDTH; 0: 12; negative: none */
+    int mask_divisor;       /* pixels a mask texel, 1, 2, 4 or 8; 0: 2. The target's own pixels are always as drawn */
+    int layers;             /* layer control: only so many layers, from the eye, become transparent; 0: all */
+    const tr_light *lights; /* of active targets; at most TR_MAX_LIGHTS */
+    size_t light_count;
+    uint32_t frame_index; /* of TR_SEE_DITHER: counts frames, for a pattern that averages out over time */
+    int query;            /* 1: count what is hidden, for tr_query_hidden; one more pass, see there */
+    float background[3];  /* colour where nothing is drawn, as the target was cleared to; a sky is better a backdrop */
+    const void *units;    /* unit_count times tr_unit, unit_stride bytes apart; 0: sizeof(tr_unit) */
+    size_t unit_count, unit_stride;
+    float view[16], projection[16]; /* column-major: world to eye (w = 1), eye to clip */
+} tr_dynamic;
+
+#define TR_MAX_SEE_PASSES 16
+
+typedef struct tr_see_pass {
+    tr_pass_kind kind;
+    tr_rule rule;        /* of passes that the host draws */
+    uint32_t unit_count; /* that the host draws in it */
+    const char *why;
+} tr_see_pass;
+
+/* What runs, and why. */
+typedef struct tr_see_plan {
+    tr_see see; /* TR_SEE_OFF where nothing would differ from plain drawing */
+    const char *why;
+    uint32_t targets, targets_in_view; /* by their bounds */
+    uint32_t masks;                    /* of targets that something may lie before */
+    int pass_count;
+    tr_see_pass passes[TR_MAX_SEE_PASSES];
+    int rectangle[4]; /* x, y, width, height of the viewport: holds all masks */
+    uint32_t tiles;   /* rectangles that full-screen passes cover, in place of all of it */
+    float covered;    /* by them, share of the viewport */
+    uint64_t bytes;   /* of textures that are needed */
+} tr_see_plan;
+
+/* Begins a frame; then tr_next_pass and tr_end as always: in each pass the host draws pass.units, with the program for
+   pass.rule. Of the frame: framebuffer, x, y, width, height, what is said of built-in shading, and TR_WISH_SRGB (the shaders
+   write light, the target encodes it). The rest is not looked at.
+   In TR_PASS_SCENE the host draws all that it has, as it does without this header: its own target and attachments, its own
+   state. Before it the state is what desc.state says of the end of a frame, but for our texture units and uniform buffer.
+   Where no target may be hidden, or nothing that yields may lie before one, this is the only pass and no GL call is made.
+   With TR_RULE_SEE_PLAIN the host's program is as it always was; tr_set_material puts the built-in one to use.
+   A host that draws instances in batches may draw more than pass.units: shaders know by the code what is not wanted.
+   TR_INVALID_ARGUMENT: matrices or numbers that are not finite, values out of range, an id out of range or of two
+   targets; lights or units that are NULL; what the rung cannot do (see docs/dynamic.md). */
+TR_DEF tr_result tr_begin_dynamic(tr_context *tr, const tr_frame *frame, const tr_dynamic *dynamic);
+TR_DEF size_t tr_see_plan_print(const tr_see_plan *plan, char *text, size_t capacity);
+
+/* What shaders know a unit by, for tr_see_through: id, flags from bit 16, from bit 24 importance in 255ths; of targets
+   less what has faded. A uniform, an attribute of instances or a texel. */
+TR_DEF uint32_t tr_unit_code(const tr_unit *unit);
+/* Pixels of a viewport that a unit may cover: x, y, width, height, the least by its sphere. 0: none; 1: some. Touches the
+   plane of the eye: the whole viewport. */
+TR_DEF int tr_unit_rectangle(const tr_unit *unit, const float view[16], const float projection[16], int width,
+                             int height, int rectangle[4]);
+/* Moves each unit's fade toward wanted[i] (NULL: toward 0), by seconds / fade_time; pure CPU. Two steps of half the time are
+   one of the whole, to rounding. fade_time not above 0: at once; seconds not above 0, or not finite: nothing. */
+TR_DEF void tr_advance(void *units, size_t count, size_t stride, const float *wanted, float seconds, float fade_time);
+
+/* How much of a target is hidden, by something that is neither a target nor made transparent for it yet. */
+typedef struct tr_hidden {
+    uint32_t id;
+    uint32_t
+        pixels; /* that it covers and nothing impenetrable hides; in steps of 16, as one of 4 by 4 pixels is looked at */
+    uint32_t hidden; /* of these, behind something */
+} tr_hidden;
+/* Of the last frame with dynamic.query whose answer has arrived, two or three frames ago; never waits. Targets that cover
+   nothing are left out; by rising id. Writes at most capacity, and the number there are to count. */
+TR_DEF tr_result tr_query_hidden(tr_context *tr, tr_hidden *out, size_t capacity, size_t *count);
 
 /* ---- edges for alpha -------------------------------------------------------------------------------------------- */
 
@@ -588,10 +752,11 @@ TR_DEF const char *const *tr_alpha_glsl(const tr_context *tr, tr_stage stage, tr
 TR_DEF tr_result tr_prepare_program(tr_context *tr, uint32_t program);
 
 typedef struct tr_info {
-    int es;              /* 1: OpenGL ES */
-    int version;         /* 330 for 3.3; after desc.max_gl_version */
-    uint64_t bytes;      /* of GL textures held now */
-    const tr_plan *plan; /* of the last tr_begin */
+    int es;                      /* 1: OpenGL ES */
+    int version;                 /* 330 for 3.3; after desc.max_gl_version */
+    uint64_t bytes;              /* of GL textures held now */
+    const tr_plan *plan;         /* of the last tr_begin */
+    const tr_see_plan *see_plan; /* of the last tr_begin_dynamic */
 } tr_info;
 TR_DEF tr_info tr_get_info(const tr_context *tr);
 /* Gives the textures back, e.g. when illustrations pause; the next frame makes them anew. Edges and outlines have to be
@@ -1337,6 +1502,358 @@ static const char *const tr_i_shader_outline_frag[] = {
     "}\n"
     "#endif\n",
     0};
+static const char *const tr_i_shader_see_block_glsl[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// What is the same for all passes of a frame of dynamic transparency (std140, written by tr_begin_dynamic).\n"
+    "layout(std140) uniform tr_frame\n"
+    "{\n"
+    "    highp vec4 tr_light;          // xyz: toward the light, unit length, in the space of the normals\n"
+    "    highp vec4 tr_cool;           // rgb, and how much diffuse colour is mixed in\n"
+    "    highp vec4 tr_warm;\n"
+    "    highp vec4 tr_viewport;       // x, y, width, height of the target's viewport\n"
+    "    highp vec4 tr_see_law;        // opacity before a target, and beside it; width of the gradient; how many lights\n"
+    "    highp vec4 tr_see_background; // rgb: where nothing is drawn; a: 1 where each occluder counts on its own\n"
+    "    highp ivec4 tr_see_grid;      // pixels a texel of masks; a cell; frame index; pixels that masks reach\n"
+    "    highp vec4 tr_see_lights[8];  // x, y, radius, edge, pixels of the viewport\n"
+    "    highp uvec4 tr_see_tiles[160]; // four each: x0, y0, x1, y1 in cells, a byte each, x0 the lowest\n"
+    "};\n"
+    "\n"
+    "#ifdef TR_REVERSED_Z\n"
+    "#define TR_BEHIND(a, b) ((a) < (b))\n"
+    "#else\n"
+    "#define TR_BEHIND(a, b) ((a) > (b))\n"
+    "#endif\n",
+    0};
+static const char *const tr_i_shader_see_compose_frag[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// What shows through masks, over the scene: alpha of it is what the mask takes away. At the mask's depth, so that where\n"
+    "// the target has depth this is done behind what was drawn there, and nothing where the scene lies behind anyway.\n"
+    "uniform highp sampler2D tr_see_depth;\n"
+    "uniform highp sampler2D tr_see_mask;\n"
+    "uniform highp sampler2D tr_see_behind;\n"
+    "#if TR_HAS_YIELD\n"
+    "uniform highp sampler2D tr_see_yield; // importance of the front-most unit\n"
+    "#endif\n"
+    "layout(location = 0) out highp vec4 tr_color;\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    ivec2 pixel = ivec2(gl_FragCoord.xy) - ivec2(tr_viewport.xy);\n"
+    "    highp vec2 mask = texelFetch(tr_see_mask, pixel, 0).rg;\n"
+    "#if TR_HAS_YIELD\n"
+    "    mask.g = clamp(mask.g - texelFetch(tr_see_yield, pixel, 0).r, 0.0, 1.0);\n"
+    "#endif\n"
+    "    if (mask.r == 1.0 || mask.g == 0.0)\n"
+    "        discard;\n"
+    "    tr_color = vec4(texelFetch(tr_see_behind, pixel, 0).rgb, (1.0 - mask.r) * mask.g);\n"
+    "    gl_FragDepth = texelFetch(tr_see_depth, pixel, 0).r;\n"
+    "}\n",
+    0};
+static const char *const tr_i_shader_see_finish_frag[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// The mask at the target's resolution: red the opacity that it asks for (Assarsson 2006, algorithm 2), green the target's\n"
+    "// strength; and its depth. On the target as that was drawn, beside it from the mask's texels: their distances are\n"
+    "// interpolated, their depths never.\n"
+    "uniform highp sampler2D tr_see_depth; // of targets\n"
+    "uniform highp sampler2D tr_see_mark;\n"
+    "#if TR_HAS_LOW\n"
+    "uniform highp sampler2D tr_see_low; // distance, strength, active\n"
+    "uniform highp sampler2D tr_see_low_depth;\n"
+    "#endif\n"
+    "layout(location = 0) out highp vec4 tr_color;\n"
+    "\n"
+    "// Of the search lights at a pixel; full within the radius, linear over the edge, of several the strongest.\n"
+    "highp float tr_light_at(highp vec2 position)\n"
+    "{\n"
+    "    highp float most = 0.0;\n"
+    "    for (int i = 0; i < int(tr_see_law.w); ++i) {\n"
+    "        highp vec4 light = tr_see_lights[i];\n"
+    "        highp float outside = distance(position, light.xy) - light.z;\n"
+    "        most = max(most, outside <= 0.0 ? 1.0 : light.w > 0.0 ? clamp(1.0 - outside / light.w, 0.0, 1.0) : 0.0);\n"
+    "    }\n"
+    "    return most;\n"
+    "}\n"
+    "\n"
+    "#if TR_HAS_LOW\n"
+    "highp float tr_low_distance(ivec2 texel, ivec2 size)\n"
+    "{\n"
+    "    return texelFetch(tr_see_low, clamp(texel, ivec2(0), size - 1), 0).r;\n"
+    "}\n"
+    "\n"
+    "// To the nearest pixel of a target, interpolated between the four texels around.\n"
+    "highp float tr_distance_at(ivec2 pixel)\n"
+    "{\n"
+    "    int divisor = tr_see_grid.x;\n"
+    "    ivec2 size = (ivec2(tr_viewport.zw) + divisor - 1) / divisor;\n"
+    "    highp vec2 place = (vec2(pixel) + 0.5) / float(divisor) - 0.5;\n"
+    "    ivec2 low = ivec2(floor(place));\n"
+    "    highp vec2 part = place - vec2(low);\n"
+    "    highp float below = mix(tr_low_distance(low, size), tr_low_distance(low + ivec2(1, 0), size), part.x);\n"
+    "    highp float above = mix(tr_low_distance(low + ivec2(0, 1), size), tr_low_distance(low + 1, size), part.x);\n"
+    "    return mix(below, above, part.y) * float(tr_see_grid.w + 2 * divisor);\n"
+    "}\n"
+    "#endif\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    ivec2 pixel = ivec2(gl_FragCoord.xy);\n"
+    "    highp vec2 mark = texelFetch(tr_see_mark, pixel, 0).rg;\n"
+    "    highp float opacity = tr_see_law.x, depth;\n"
+    "    if (mark.r > 0.0) {\n"
+    "        depth = texelFetch(tr_see_depth, pixel, 0).r;\n"
+    "    } else {\n"
+    "#if TR_HAS_LOW\n"
+    "        ivec2 texel = pixel / tr_see_grid.x;\n"
+    "        highp vec3 low = texelFetch(tr_see_low, texel, 0).rgb;\n"
+    "        // The pixels beside the target are the gradient's first ring.\n"
+    "        opacity = mix(tr_see_law.y, 1.0, clamp((tr_distance_at(pixel) - 1.0) / tr_see_law.z, 0.0, 1.0));\n"
+    "        if (opacity == 1.0 || low.r == 1.0)\n"
+    "            discard;\n"
+    "        mark = low.gb;\n"
+    "        depth = texelFetch(tr_see_low_depth, texel, 0).r;\n"
+    "#else\n"
+    "        discard;\n"
+    "#endif\n"
+    "    }\n"
+    "    if (mark.g > 0.5)\n"
+    "        opacity = 1.0 - tr_light_at(vec2(pixel) + 0.5) * (1.0 - opacity);\n"
+    "    tr_color = vec4(opacity, mark.r, 0.0, 0.0);\n"
+    "    gl_FragDepth = depth;\n"
+    "}\n",
+    0};
+static const char *const tr_i_shader_see_prime_frag[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// Opens the depth buffer where a mask is, and nowhere else: the depth test then stops all else before it is shaded.\n"
+    "uniform highp sampler2D tr_see_mask;\n"
+    "layout(location = 0) out highp vec4 tr_color;\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    highp vec2 mask = texelFetch(tr_see_mask, ivec2(gl_FragCoord.xy), 0).rg;\n"
+    "    if (mask.r == 1.0 || mask.g == 0.0)\n"
+    "        discard;\n"
+    "    tr_color = vec4(tr_see_background.rgb, 1.0);\n"
+    "    gl_FragDepth = TR_CLEAR_DEPTH;\n"
+    "}\n",
+    0};
+static const char *const tr_i_shader_see_query_frag[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// For tr_query_hidden: a texel for 4 by 4 pixels, the id of the target at its middle in two bytes.\n"
+    "uniform highp sampler2D tr_see_mark;\n"
+    "layout(location = 0) out highp vec4 tr_color;\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    ivec2 size = ivec2(tr_viewport.zw);\n"
+    "    ivec2 pixel = min(ivec2(gl_FragCoord.xy * tr_viewport.zw / vec2((size + 3) >> 2)), size - 1);\n"
+    "    tr_color = vec4(texelFetch(tr_see_mark, pixel, 0).ba, 0.0, 0.0);\n"
+    "}\n",
+    0};
+static const char *const tr_i_shader_see_rules_glsl[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// Fragment stage. What a unit's fragment does in each pass of dynamic transparency: Assarsson 2006, section 3, as amended.\n"
+    "//\n"
+    "// A host's fragment shader calls tr_see_through(color, code) once, last in main, before it writes color to its output of\n"
+    "// location 0. code: what tr_unit_code makes. Bits 0 to 15: id, from 16 flags, from 24 importance in 255ths.\n"
+    "#define TR_RULE_SEE_PLAIN 15  // nothing\n"
+    "#define TR_RULE_SEE_BLOCK 16  // depth of what closes masks\n"
+    "#define TR_RULE_SEE_TARGET 17 // depth and mark of the nearest target\n"
+    "#define TR_RULE_SEE_BEHIND 18 // what shows through masks\n"
+    "#define TR_RULE_SEE_YIELD 19  // importance of the front-most unit\n"
+    "#define TR_RULE_SEE_DITHER 20 // the whole scene, with holes\n"
+    "#define TR_RULE_SEE_HIDES 21  // what lies before a target\n"
+    "\n"
+    "#if TR_RULE == TR_RULE_SEE_PLAIN\n"
+    "#define tr_see_through(color, code)\n"
+    "#else\n"
+    "\n"
+    "#if TR_RULE >= TR_RULE_SEE_BEHIND && TR_RULE != TR_RULE_SEE_YIELD\n"
+    "uniform highp sampler2D tr_see_depth; // of the mask: what lies before it yields\n"
+    "#endif\n"
+    "#if TR_RULE == TR_RULE_SEE_BEHIND || TR_RULE == TR_RULE_SEE_DITHER\n"
+    "uniform highp sampler2D tr_see_mask; // opacity that it asks for, the target's strength\n"
+    "#endif\n"
+    "\n"
+    "bool tr_see_is(highp uint code, highp uint flags)\n"
+    "{\n"
+    "    return ((code >> 16) & flags) != 0u;\n"
+    "}\n"
+    "\n"
+    "// Targets, and what is never made transparent.\n"
+    "bool tr_see_keeps(highp uint code)\n"
+    "{\n"
+    "    return tr_see_is(code, 1u | 2u | 8u);\n"
+    "}\n"
+    "\n"
+    "highp float tr_see_importance(highp uint code)\n"
+    "{\n"
+    "    return float(code >> 24) * (1.0 / 255.0);\n"
+    "}\n"
+    "\n"
+    "#if TR_RULE == TR_RULE_SEE_DITHER\n"
+    "highp uint tr_see_hash(highp uint x)\n"
+    "{\n"
+    "    x = (x ^ (x >> 16)) * 0x7feb352du;\n"
+    "    x = (x ^ (x >> 15)) * 0x846ca68bu;\n"
+    "    return x ^ (x >> 16);\n"
+    "}\n"
+    "\n"
+    "// Fragments stay whose opacity is above it. Together: one threshold a pixel, interleaved gradient noise moved on by the\n"
+    "// golden ratio from frame to frame, so that any few frames in a row average well. Each on its own: one a pixel and unit.\n"
+    "highp float tr_see_threshold(ivec2 pixel, highp uint code)\n"
+    "{\n"
+    "    highp uint frame = uint(tr_see_grid.z);\n"
+    "    if (tr_see_background.a > 0.5) {\n"
+    "        highp uint bits = tr_see_hash(uint(pixel.x) + tr_see_hash(uint(pixel.y) + tr_see_hash((code & 0xffffu) + tr_see_hash(frame))));\n"
+    "        return float(bits >> 8) * (1.0 / 16777216.0);\n"
+    "    }\n"
+    "    highp float noise = fract(52.9829189 * fract(dot(vec2(pixel), vec2(0.06711056, 0.00583715))));\n"
+    "    // frame * (sqrt(5) - 1) / 2 modulo 1, in integers: it stays exact however long a game runs.\n"
+    "    return fract(noise + float((frame * 0x9e3779b9u) >> 8) * (1.0 / 16777216.0));\n"
+    "}\n"
+    "#endif\n"
+    "\n"
+    "void tr_see_through(inout highp vec4 color, highp uint code)\n"
+    "{\n"
+    "#if TR_RULE == TR_RULE_SEE_BLOCK\n"
+    "    if (!tr_see_is(code, 2u | 8u))\n"
+    "        discard;\n"
+    "#elif TR_RULE == TR_RULE_SEE_TARGET\n"
+    "    if (!tr_see_is(code, 1u) || (code >> 24) == 0u)\n"
+    "        discard;\n"
+    "    color = vec4(tr_see_importance(code), tr_see_is(code, 16u) ? 1.0 : 0.0, float(code & 255u) * (1.0 / 255.0),\n"
+    "                 float((code >> 8) & 255u) * (1.0 / 255.0));\n"
+    "#elif TR_RULE == TR_RULE_SEE_BEHIND\n"
+    "    if (tr_see_keeps(code))\n"
+    "        return;\n"
+    "    ivec2 pixel = ivec2(gl_FragCoord.xy);\n"
+    "    if (!TR_BEHIND(texelFetch(tr_see_depth, pixel, 0).r, gl_FragCoord.z))\n"
+    "        return;\n"
+    "    if (code < 0x1000000u || texelFetch(tr_see_mask, pixel, 0).g > tr_see_importance(code))\n"
+    "        discard;\n"
+    "#elif TR_RULE == TR_RULE_SEE_YIELD\n"
+    "    color = vec4(tr_see_keeps(code) ? 1.0 : tr_see_importance(code));\n"
+    "#elif TR_RULE == TR_RULE_SEE_DITHER\n"
+    "    if (tr_see_keeps(code))\n"
+    "        return;\n"
+    "    ivec2 pixel = ivec2(gl_FragCoord.xy) - ivec2(tr_viewport.xy);\n"
+    "    highp vec2 mask = texelFetch(tr_see_mask, pixel, 0).rg;\n"
+    "    highp float yielding = clamp(mask.g - tr_see_importance(code), 0.0, 1.0), alpha = 1.0 - (1.0 - mask.r) * yielding;\n"
+    "    if (alpha < 1.0 && TR_BEHIND(texelFetch(tr_see_depth, pixel, 0).r, gl_FragCoord.z) &&\n"
+    "        tr_see_threshold(pixel, code) >= alpha)\n"
+    "        discard;\n"
+    "#elif TR_RULE == TR_RULE_SEE_HIDES\n",
+    "#line 94\n"
+    "    // A texel's fragment stands at its middle: the pixel that it is compared with is there.\n"
+    "    ivec2 size = ivec2(tr_viewport.zw);\n"
+    "    ivec2 pixel = min(ivec2(gl_FragCoord.xy * tr_viewport.zw / vec2((size + 3) >> 2)), size - 1);\n"
+    "    if (tr_see_keeps(code) || !TR_BEHIND(texelFetch(tr_see_depth, pixel, 0).r, gl_FragCoord.z))\n"
+    "        discard;\n"
+    "    color = vec4(0.0, 0.0, 1.0, 0.0);\n"
+    "#endif\n"
+    "}\n"
+    "#endif\n",
+    0};
+static const char *const tr_i_shader_see_spread_frag[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// How far the nearest pixel of a target is: exact, by rows and then across them.\n"
+    "//\n"
+    "// TR_SPREAD 0: in its row, for each texel of masks, as the pixels from the texel's first one to it, plus 128, in 255ths; 0:\n"
+    "// none. TR_SPREAD 1: of the rows' the nearest, of equally near ones that nearest to the eye. A texel stands for the middle\n"
+    "// of its pixels; twice the positions are integers. Steps go outward from there: left and right, up and down, are one step.\n"
+    "uniform highp sampler2D tr_see_depth; // of targets\n"
+    "uniform highp sampler2D tr_see_mark;  // of targets: strength, 0 where there is none; active\n"
+    "#if TR_SPREAD == 1\n"
+    "uniform highp sampler2D tr_see_rows;\n"
+    "#endif\n"
+    "layout(location = 0) out highp vec4 tr_color;\n"
+    "\n"
+    "#if TR_SPREAD == 0\n"
+    "bool tr_is_target(ivec2 pixel)\n"
+    "{\n"
+    "    return pixel.x >= 0 && pixel.x < int(tr_viewport.z) && texelFetch(tr_see_mark, pixel, 0).r > 0.0;\n"
+    "}\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    int divisor = tr_see_grid.x, steps = tr_see_grid.w + 2 * divisor, first = int(gl_FragCoord.x) * divisor, found = 0;\n"
+    "    ivec2 left = ivec2(first + (divisor - 1) / 2, int(gl_FragCoord.y)), right = ivec2(first + divisor / 2, left.y);\n"
+    "    for (int i = 0; i <= steps; ++i) {\n"
+    "        bool at_left = tr_is_target(left), at_right = tr_is_target(right);\n"
+    "        if (at_left && at_right)\n"
+    "            at_left = TR_BEHIND(texelFetch(tr_see_depth, right, 0).r, texelFetch(tr_see_depth, left, 0).r);\n"
+    "        if (at_left || at_right) {\n"
+    "            found = (at_left ? left.x : right.x) - first + 128;\n"
+    "            break;\n"
+    "        }\n"
+    "        --left.x;\n"
+    "        ++right.x;\n"
+    "    }\n"
+    "    tr_color = vec4(float(found) * (1.0 / 255.0));\n"
+    "}\n"
+    "#else\n"
+    "void main()\n"
+    "{\n"
+    "    ivec2 texel = ivec2(gl_FragCoord.xy), first = texel * tr_see_grid.x, nearest = ivec2(-1);\n"
+    "    int divisor = tr_see_grid.x, steps = tr_see_grid.w + 2 * divisor, none = 4 * steps * steps, least = none;\n"
+    "    for (int i = 0; i <= steps && 4 * i * i <= least; ++i) {\n"
+    "        for (int side = 0; side < 2; ++side) {\n"
+    "            int y = side == 0 ? first.y + (divisor - 1) / 2 - i : first.y + divisor / 2 + i;\n"
+    "            if (y < 0 || y >= int(tr_viewport.w))\n"
+    "                continue;\n"
+    "            int found = int(texelFetch(tr_see_rows, ivec2(texel.x, y), 0).r * 255.0 + 0.5) - 128;\n"
+    "            if (found == -128)\n"
+    "                continue;\n"
+    "            ivec2 pixel = ivec2(first.x + found, y), offset = 2 * (pixel - first) - divisor + 1;\n"
+    "            int square = offset.x * offset.x + offset.y * offset.y;\n"
+    "            if (square < least ||\n"
+    "                (square == least && nearest.x >= 0 &&\n"
+    "                 TR_BEHIND(texelFetch(tr_see_depth, nearest, 0).r, texelFetch(tr_see_depth, pixel, 0).r))) {\n"
+    "                least = square;\n"
+    "                nearest = pixel;\n"
+    "            }\n"
+    "        }\n"
+    "    }\n"
+    "    tr_color = vec4(1.0, 0.0, 0.0, 0.0);\n"
+    "    gl_FragDepth = TR_CLEAR_DEPTH;\n"
+    "    if (nearest.x < 0)\n"
+    "        return;\n"
+    "    tr_color = vec4(0.5 * sqrt(float(least)) / float(steps), texelFetch(tr_see_mark, nearest, 0).rg, 0.0);\n"
+    "    gl_FragDepth = texelFetch(tr_see_depth, nearest, 0).r;\n"
+    "}\n"
+    "#endif\n",
+    0};
+static const char *const tr_i_shader_see_tile_vert[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// Six vertices a tile: passes of dynamic transparency cover the cells that have masks, and no more.\n"
+    "//\n"
+    "// TR_COARSE_X, TR_COARSE_Y: 1 where the texture has a texel for tr_see_grid.x pixels.\n"
+    "void main()\n"
+    "{\n"
+    "    int tile = gl_VertexID / 6, corner = gl_VertexID - 6 * tile, divisor = tr_see_grid.x;\n"
+    "    highp uvec4 four = tr_see_tiles[tile >> 2];\n"
+    "    int which = tile & 3;\n"
+    "    highp uint box = which == 0 ? four.x : which == 1 ? four.y : which == 2 ? four.z : four.w;\n"
+    "    bool right = corner == 1 || corner == 2 || corner == 4, high = corner == 2 || corner == 4 || corner == 5;\n"
+    "    highp uint x = (box >> (right ? 16 : 0)) & 255u, y = (box >> (high ? 24 : 8)) & 255u;\n"
+    "    ivec2 size = ivec2(tr_viewport.zw);\n"
+    "#if TR_COARSE_X\n"
+    "    size.x = (size.x + divisor - 1) / divisor * divisor;\n"
+    "#endif\n"
+    "#if TR_COARSE_Y\n"
+    "    size.y = (size.y + divisor - 1) / divisor * divisor;\n"
+    "#endif\n"
+    "    gl_Position = vec4(vec2(ivec2(x, y) * tr_see_grid.y) / vec2(size) * 2.0 - 1.0, 0.0, 1.0);\n"
+    "}\n",
+    0};
 static const char *const tr_i_shader_surface_frag[] = {
     "#line 1\n"
     "// For: transparency.h\n"
@@ -1349,6 +1866,10 @@ static const char *const tr_i_shader_surface_frag[] = {
     "#if TR_WANTS_COLOR\n"
     "in highp vec3 tr_v_normal;\n"
     "in highp vec4 tr_v_color;\n"
+    "#endif\n"
+    "\n"
+    "#if TR_IS_SEE && TR_RULE != TR_RULE_SEE_BLOCK\n"
+    "layout(location = 0) out highp vec4 tr_color;\n"
     "#endif\n"
     "\n"
     "void main()\n"
@@ -1367,9 +1888,16 @@ static const char *const tr_i_shader_surface_frag[] = {
     "    if (tr_may_show())\n"
     "        color.a *= tr_alpha();\n"
     "#endif\n"
-    "    tr_surface(color, tr_object);\n"
     "#else\n"
-    "    tr_surface(vec4(0.0), tr_object);\n"
+    "    highp vec4 color = vec4(0.0);\n"
+    "#endif\n"
+    "#if TR_IS_SEE\n"
+    "    tr_see_through(color, tr_object);\n"
+    "#if TR_RULE != TR_RULE_SEE_BLOCK\n"
+    "    tr_color = color;\n"
+    "#endif\n"
+    "#else\n"
+    "    tr_surface(color, tr_object);\n"
     "#endif\n"
     "}\n",
     0};
@@ -1729,6 +2257,14 @@ static const char *const tr_i_shader_take_opaque_frag[] = {
 #define TR_I_GL_NEAREST 0x2600
 #define TR_I_GL_CLAMP_TO_EDGE 0x812F
 #define TR_I_GL_ONE 1u
+#define TR_I_GL_ALREADY_SIGNALED 0x911Au
+#define TR_I_GL_CONDITION_SATISFIED 0x911Cu
+#define TR_I_GL_MAP_READ_BIT 1u
+#define TR_I_GL_PIXEL_PACK_BUFFER 0x88EBu
+#define TR_I_GL_PIXEL_PACK_BUFFER_BINDING 0x88EDu
+#define TR_I_GL_STREAM_READ 0x88E1u
+#define TR_I_GL_SYNC_FLUSH_COMMANDS_BIT 1u
+#define TR_I_GL_SYNC_GPU_COMMANDS_COMPLETE 0x9117u
 #define TR_I_GL_PIXEL_UNPACK_BUFFER 0x88ECu
 #define TR_I_GL_PIXEL_UNPACK_BUFFER_BINDING 0x88EFu
 #define TR_I_GL_POLYGON_MODE 0x0B40u
@@ -1754,8 +2290,13 @@ static const char *const tr_i_shader_take_opaque_frag[] = {
 #define TR_I_GL_SAMPLE_ALPHA_TO_COVERAGE 0x809Eu
 #define TR_I_GL_SAMPLE_COVERAGE 0x80A0u
 #define TR_I_GL_SAMPLE_MASK 0x8E51u
+#define TR_I_GL_SCISSOR_BOX 0x0C10u
 #define TR_I_GL_SCISSOR_TEST 0x0C11u
 #define TR_I_GL_SRC_ALPHA 0x0302u
+#define TR_I_GL_ONE_MINUS_SRC_ALPHA 0x0303u
+#define TR_I_GL_RG 0x8227u
+#define TR_I_GL_RG8 0x822Bu
+#define TR_I_GL_SRGB8_ALPHA8 0x8C43u
 #define TR_I_GL_STENCIL_TEST 0x0B90u
 #define TR_I_GL_TEXTURE0 0x84C0u
 #define TR_I_GL_TEXTURE_2D 0x0DE1u
@@ -1849,6 +2390,7 @@ typedef const char *const *tr_i_strings;
     X(void, LinkProgram, (tr_i_u))                                                                                     \
     X(void, PixelStorei, (tr_i_u, int32_t))                                                                            \
     X(void, ReadBuffer, (tr_i_u))                                                                                      \
+    X(void, Scissor, (int32_t, int32_t, int32_t, int32_t))                                                             \
     X(void, ShaderSource, (tr_i_u, int32_t, const char *const *, const int32_t *))                                     \
     X(void, TexImage2D, (tr_i_u, int32_t, int32_t, int32_t, int32_t, int32_t, tr_i_u, tr_i_u, const void *))           \
     X(void, TexImage3D, (tr_i_u, int32_t, int32_t, int32_t, int32_t, int32_t, int32_t, tr_i_u, tr_i_u, const void *))  \
@@ -1892,9 +2434,19 @@ typedef const char *const *tr_i_strings;
     X(void, DepthRangeIndexed, (tr_i_u, double, double))                                                               \
     X(void, GetDoublei_v, (tr_i_u, tr_i_u, double *))                                                                  \
     X(void, GetFloati_v, (tr_i_u, tr_i_u, float *))                                                                    \
+    X(void, ScissorIndexed, (tr_i_u, int32_t, int32_t, int32_t, int32_t))                                              \
     X(void, ViewportIndexedf, (tr_i_u, float, float, float, float))
 
 #define TR_I_GL_ES(X) X(void, DepthRangef, (float, float))
+
+/* What tr_query_hidden needs; any 3.3 and ES 3.0, but WebGL 2 cannot map. */
+#define TR_I_GL_QUERY(X)                                                                                               \
+    X(tr_i_u, ClientWaitSync, (void *, tr_i_u, uint64_t))                                                              \
+    X(void, DeleteSync, (void *))                                                                                      \
+    X(void *, FenceSync, (tr_i_u, tr_i_u))                                                                             \
+    X(void *, MapBufferRange, (tr_i_u, ptrdiff_t, ptrdiff_t, tr_i_u))                                                  \
+    X(void, ReadPixels, (int32_t, int32_t, int32_t, int32_t, tr_i_u, tr_i_u, void *))                                  \
+    X(unsigned char, UnmapBuffer, (tr_i_u))
 
 typedef struct tr_i_gl {
 #define TR_I_MEMBER(type, name, parameters) type(TR_I_GLAPI *name) parameters;
@@ -1904,6 +2456,7 @@ typedef struct tr_i_gl {
     TR_I_GL_INDEXED_BLEND(TR_I_MEMBER)
     TR_I_GL_VIEWPORTS(TR_I_MEMBER)
     TR_I_GL_ES(TR_I_MEMBER)
+    TR_I_GL_QUERY(TR_I_MEMBER)
 #undef TR_I_MEMBER
 } tr_i_gl;
 
@@ -1950,12 +2503,21 @@ enum {
    a key; see tr_i_key_of. More of these than a plan can need. Then one a rule for each further rung of alpha. */
 #define TR_I_VARIANT_COUNT 24
 enum {
-    TR_I_PROGRAM_COPY_DEPTH = TR_RULE_COUNT,
+    TR_I_PROGRAM_COPY_DEPTH = TR_RULE_SEE_END,
     TR_I_PROGRAM_VARIANT,
     TR_I_PROGRAM_ALPHA = TR_I_PROGRAM_VARIANT + TR_I_VARIANT_COUNT,
     TR_I_PROGRAM_OUTLINE =
         TR_I_PROGRAM_ALPHA + ((int)TR_ALPHA_COUNT - 1) * (int)TR_RULE_COUNT, /* found; jumps; with ids */
-    TR_I_PROGRAM_COUNT = TR_I_PROGRAM_OUTLINE + 4
+    TR_I_PROGRAM_SEE = TR_I_PROGRAM_OUTLINE + 4, /* full-screen ones of dynamic transparency: tr_i_see_source */
+    TR_I_PROGRAM_SPREAD_X = TR_I_PROGRAM_SEE,
+    TR_I_PROGRAM_SPREAD_Y,
+    TR_I_PROGRAM_FINISH,
+    TR_I_PROGRAM_FINISH_BARE, /* no gradient */
+    TR_I_PROGRAM_PRIME,
+    TR_I_PROGRAM_COMPOSE_MASK,
+    TR_I_PROGRAM_COMPOSE_YIELD,
+    TR_I_PROGRAM_QUERY,
+    TR_I_PROGRAM_COUNT
 };
 
 typedef struct tr_i_program {
@@ -1984,6 +2546,7 @@ typedef struct tr_i_snapshot {
     int32_t program, vertex_array, draw_framebuffer, read_framebuffer;
     unsigned char caps[TR_I_CAP_COUNT], clip_distances[TR_I_MAX_CLIP_DISTANCES];
     unsigned char scissors[TR_I_MAX_VIEWPORTS];
+    int32_t scissor[4]; /* of dynamic transparency, which alone sets one */
     unsigned char depth_mask, color_masks[TR_I_MAX_DRAW_BUFFERS][4], blends[2];
     int32_t depth_func, cull_mode, front_face, polygon_mode[2];
     float viewport[4];
@@ -1995,15 +2558,125 @@ typedef struct tr_i_snapshot {
     int64_t indexed_start, indexed_size;
 } tr_i_snapshot;
 
+/* ---- dynamic transparency: what a context keeps ----------------------------------------------------------------- */
+
+/* Lists of units, as indices into the host's array, each as long as that. */
+enum {
+    TR_I_UNITS_ALL,
+    TR_I_UNITS_BLOCK,   /* impenetrable, or backdrops, in masks */
+    TR_I_UNITS_TARGETS, /* that something may lie before */
+    TR_I_UNITS_BEHIND,  /* that may show through a mask */
+    TR_I_UNITS_BEFORE,  /* distractors that may lie before a target */
+    TR_I_UNITS_MASKED,  /* all in masks */
+    TR_I_UNIT_LISTS
+};
+
+/* Where a unit is on the screen (x0, y0, x1, y1; x1 = 0: nowhere), and its reach along the view. */
+typedef struct tr_i_place {
+    uint16_t x0, y0, x1, y1;
+    float first, last;
+} tr_i_place;
+
+#define TR_I_CELLS 64 /* along each side, at most */
+#define TR_I_MAX_TILES 640
+
+/* The screen in cells: a target needs a mask where something that yields lies before it, and only units that meet masks
+   are drawn again. Cells in place of rectangles of targets, so that the work does not grow with targets times units. */
+typedef struct tr_i_grid {
+    int side, columns, rows;                         /* a cell's, pixels; cells */
+    float nearest_yielding[TR_I_CELLS * TR_I_CELLS]; /* along the view; infinite: none */
+    float nearest_target[TR_I_CELLS * TR_I_CELLS];   /* of those that have masks */
+    float farthest_target[TR_I_CELLS * TR_I_CELLS];  /* -infinite: no mask here */
+    unsigned char tiles[TR_I_MAX_TILES][4];          /* of cells with masks: x0, y0, x1, y1 in cells */
+    int tile_count, cell_count;
+} tr_i_grid;
+
+/* Numbers of a tr_dynamic with the defaults filled in. */
+typedef struct tr_i_law {
+    float target, start, width;
+    int divisor, reach; /* pixels from a target's outline on which masks are 1, and nothing is left to look for */
+} tr_i_law;
+
+/* Textures and framebuffers of dynamic transparency; sizes follow from the viewport and the mask's divisor. */
+enum {
+    TR_I_SEE_DEPTH,      /* of blocks and targets; then of what shows through masks */
+    TR_I_SEE_MARK,       /* of the nearest target: strength, whether it is active, id in two bytes */
+    TR_I_SEE_ROWS,       /* a row of texels each pixel high: where the nearest pixel of a target is in it */
+    TR_I_SEE_LOW,        /* the mask's texels: distance, strength, whether it is active */
+    TR_I_SEE_LOW_DEPTH,  /* their depth */
+    TR_I_SEE_MASK,       /* opacity before importance, strength */
+    TR_I_SEE_MASK_DEPTH, /* what lies before it yields */
+    TR_I_SEE_BEHIND,     /* colour of what shows through masks */
+    TR_I_SEE_YIELD,      /* importance of the front-most unit */
+    TR_I_SEE_QUERY,      /* 4 by 4 pixels a texel: id in two bytes, whether something lies before it */
+    TR_I_SEE_TEXTURE_COUNT
+};
+
+enum {
+    TR_I_SEE_FBO_TARGETS,
+    TR_I_SEE_FBO_ROWS,
+    TR_I_SEE_FBO_LOW,
+    TR_I_SEE_FBO_MASK,
+    TR_I_SEE_FBO_BEHIND,
+    TR_I_SEE_FBO_YIELD,
+    TR_I_SEE_FBO_QUERY,
+    TR_I_SEE_FBO_COUNT
+};
+
+/* The uniform block of shaders/see_block.glsl, std140. */
+typedef struct tr_i_see_block {
+    float light[4], cool[4], warm[4], viewport[4], law[4], background[4];
+    int32_t grid[4];
+    float lights[TR_MAX_LIGHTS][4];
+    uint32_t tiles[TR_I_MAX_TILES];
+} tr_i_see_block;
+
+/* Within a frame: no pass of ours has begun; one has; the host draws its scene after one. */
+enum { TR_I_OUTSIDE, TR_I_INSIDE, TR_I_LENT };
+
+#define TR_I_QUERY_RING 3
+
+typedef struct tr_i_query {
+    tr_i_u buffer;
+    void *fence; /* 0: nothing is under way */
+    size_t texels;
+    int stale; /* of a frame before one without masks */
+} tr_i_query;
+
+typedef struct tr_i_answer {
+    uint32_t texels, hidden;
+} tr_i_answer;
+
+typedef struct tr_i_see {
+    int active;  /* this frame is of tr_begin_dynamic */
+    int partial; /* some importance of an occluder is neither 0 nor 1 */
+    int step;
+    int entered; /* whose state it is: TR_I_OUTSIDE, ... */
+    tr_i_law law;
+    tr_see_plan plan;
+    tr_i_grid grid;
+    tr_i_place *places; /* of all units; with the lists one heap block */
+    uint32_t *lists[TR_I_UNIT_LISTS];
+    size_t counts[TR_I_UNIT_LISTS], capacity;
+    int width, height, divisor, srgb; /* that the textures are made for */
+    tr_i_u textures[TR_I_SEE_TEXTURE_COUNT], fbos[TR_I_SEE_FBO_COUNT], buffer;
+    tr_i_see_block block, uploaded; /* of this frame; as it is in the buffer */
+    tr_i_query queries[TR_I_QUERY_RING];
+    int next_query;
+    tr_i_answer *answer;        /* by id; 0: nobody has asked */
+    int block_uploaded, in_use; /* in_use: the built-in program of this frame's scene is */
+} tr_i_see;
+
 #define TR_I_MAX_STRINGS 48
 
 struct tr_context {
     tr_desc desc;
     tr_i_gl gl;
-    int es, version, has_indexed, has_indexed_blend, has_viewports, viewports, draw_buffers, clip_distances;
+    int es, version, has_indexed, has_indexed_blend, has_viewports, has_queries, viewports, draw_buffers,
+        clip_distances;
     int32_t max_width, max_height, max_texture; /* of a viewport; of a texture */
-    const char *strings[TR_STAGE_COUNT][TR_RULE_COUNT][TR_I_MAX_STRINGS + 1];
-    int string_count[TR_STAGE_COUNT][TR_RULE_COUNT];
+    const char *strings[TR_STAGE_COUNT][TR_RULE_SEE_END][TR_I_MAX_STRINGS + 1];
+    int string_count[TR_STAGE_COUNT][TR_RULE_SEE_END];
     const char *alpha_strings[TR_STAGE_COUNT][TR_ALPHA_COUNT][TR_I_MAX_STRINGS + 1];
     int alpha_string_count[TR_STAGE_COUNT][TR_ALPHA_COUNT];
     tr_i_program programs[TR_I_PROGRAM_COUNT];
@@ -2024,6 +2697,7 @@ struct tr_context {
     tr_plan plan;
     int next_pass; /* of the plan */
     int in_frame;
+    tr_i_see see;
 };
 
 /* ---- text without stdio ----------------------------------------------------------------------------------------- */
@@ -2098,7 +2772,11 @@ TR_I_API const char *tr_pass_kind_name(tr_pass_kind kind) {
     static const char *const names[] = {"front",        "peel",        "layer",
                                         "limit",        "opaque",      "copy depth",
                                         "opaque lines", "compose",     "transparent lines",
-                                        "hidden lines", "outer lines", "take opaque"};
+                                        "hidden lines", "outer lines", "take opaque",
+                                        "block",        "targets",     "spread x",
+                                        "spread y",     "finish",      "prime",
+                                        "scene",        "behind",      "yield",
+                                        "compose mask", "query",       "hides"};
     return (unsigned)kind < (unsigned)TR_PASS_KIND_COUNT ? names[kind] : "unknown pass";
 }
 
@@ -2510,6 +3188,658 @@ TR_I_API float tr_view_alpha(float d, float d_max, float k) {
     return alpha < 0.0 ? 0.0f : alpha > 1.0 ? 1.0f : (float)alpha;
 }
 
+/* ---- dynamic transparency: units -------------------------------------------------------------------------------- */
+
+#define TR_I_UNIT_FLAGS 31u
+#define TR_I_KEPT (TR_UNIT_TARGET | TR_UNIT_IMPENETRABLE | TR_UNIT_BACKDROP) /* of these none yields */
+#define TR_I_MAX_UNIT_ID 0xffffu
+
+static float tr_i_clamp01(float x) {
+    return x > 0.0f ? (x < 1.0f ? x : 1.0f) : 0.0f;
+}
+
+static float tr_i_fade_of(const tr_unit *unit) {
+    return tr_i_all_finite(&unit->fade, 1) ? tr_i_clamp01(unit->fade) : 0.0f;
+}
+
+static float tr_i_importance_of(const tr_unit *unit) {
+    if (!tr_i_all_finite(&unit->importance, 1) || unit->importance == 0.0f)
+        return unit->flags & TR_UNIT_TARGET ? 1.0f : 0.0f;
+    return tr_i_clamp01(unit->importance);
+}
+
+/* How much of what a mask asks for is done, but for what occluders keep: the whole, less importance and fading. */
+static float tr_i_strength_of(const tr_unit *unit) {
+    return tr_i_importance_of(unit) * (unit->flags & TR_UNIT_TARGET ? 1.0f - tr_i_fade_of(unit) : 1.0f);
+}
+
+TR_I_API uint32_t tr_unit_code(const tr_unit *unit) {
+    if (!unit)
+        return 0;
+    return (unit->id & TR_I_MAX_UNIT_ID) | (unit->flags & TR_I_UNIT_FLAGS) << 16 |
+           (uint32_t)(tr_i_strength_of(unit) * 255.0f + 0.5f) << 24;
+}
+
+TR_I_API void tr_advance(void *units, size_t count, size_t stride, const float *wanted, float seconds,
+                         float fade_time) {
+    size_t i;
+    int at_once = !tr_i_positive(fade_time);
+    if (!units || !tr_i_positive(seconds) || !tr_i_all_finite(&seconds, 1))
+        return;
+    for (i = 0; i < count; ++i) {
+        char *at = (char *)units + i * (stride ? stride : sizeof(tr_unit));
+        float goal = wanted && tr_i_all_finite(&wanted[i], 1) ? tr_i_clamp01(wanted[i]) : 0.0f;
+        tr_unit unit;
+        double fade, step;
+        memcpy(&unit, at, sizeof unit);
+        fade = (double)tr_i_fade_of(&unit);
+        step = at_once ? 1.0 : (double)seconds / (double)fade_time;
+        /* Linear, and never past the goal: that is what makes steps add up. */
+        fade = fade < (double)goal ? (fade + step < (double)goal ? fade + step : (double)goal)
+                                   : (fade - step > (double)goal ? fade - step : (double)goal);
+        unit.fade = (float)fade;
+        memcpy(at, &unit, sizeof unit);
+    }
+}
+
+/* World to clip, in double. */
+static void tr_i_view_projection(const float view[16], const float projection[16], double out[16]) {
+    int c, r, k;
+    for (c = 0; c < 4; ++c) {
+        for (r = 0; r < 4; ++r) {
+            double sum = 0;
+            for (k = 0; k < 4; ++k)
+                sum += (double)projection[4 * k + r] * (double)view[4 * c + k];
+            out[4 * c + r] = sum;
+        }
+    }
+}
+
+/* Whether a unit has bounds: else it may be anywhere. */
+static int tr_i_is_bounded(const tr_unit *unit) {
+    return tr_i_all_finite(unit->center, 3) && tr_i_all_finite(&unit->radius, 1) && unit->radius >= 0.0f;
+}
+
+/* Where the planes through the eye (or along the view) and one axis of the screen touch a sphere: clip x / w = t where
+   the plane row_x - t row_w is as far from the centre as the radius; a quadratic in t. Returns 0 for the whole axis. */
+static int tr_i_sphere_span(const double m[16], int axis, const tr_unit *unit, double out[2]) {
+    const float *p = unit->center;
+    double r = (double)unit->radius, a = m[12 + axis], b = m[15], aa = 0, ab = 0, bb = 0, root, middle, scale;
+    int i;
+    for (i = 0; i < 3; ++i) {
+        a += m[4 * i + axis] * (double)p[i];
+        b += m[4 * i + 3] * (double)p[i];
+        aa += m[4 * i + axis] * m[4 * i + axis];
+        ab += m[4 * i + axis] * m[4 * i + 3];
+        bb += m[4 * i + 3] * m[4 * i + 3];
+    }
+    scale = b * b - r * r * bb;
+    middle = a * b - r * r * ab;
+    root = middle * middle - scale * (a * a - r * r * aa);
+    if (!(scale > 0.0) || scale > 1.0e300 || middle > 1.0e150 || middle < -1.0e150)
+        return 0;
+    root = root > 0.0 ? sqrt(root) : 0.0;
+    out[0] = (middle - root) / scale;
+    out[1] = (middle + root) / scale;
+    return 1;
+}
+
+/* -1: the sphere lies wholly behind the eye; 1: wholly before it; 0: it touches the plane of the eye. */
+static int tr_i_side_of_eye(const double m[16], const tr_unit *unit) {
+    double w = m[15], size = 0, r = (double)unit->radius;
+    int i;
+    for (i = 0; i < 3; ++i) {
+        w += m[4 * i + 3] * (double)unit->center[i];
+        size += m[4 * i + 3] * m[4 * i + 3];
+    }
+    r *= sqrt(size);
+    return w > r ? 1 : w < -r ? -1 : 0;
+}
+
+/* From clip coordinates -1 ... 1 to pixels, outward; 0 if none is left. */
+static int tr_i_pixel_span(const double span[2], int size, int out[2]) {
+    double low = floor((span[0] + 1.0) * 0.5 * (double)size), high = ceil((span[1] + 1.0) * 0.5 * (double)size);
+    if (!(low < (double)size) || !(high > 0.0) || high <= low)
+        return 0;
+    out[0] = low > 0.0 ? (int)low : 0;
+    out[1] = high < (double)size ? (int)high : size;
+    return 1;
+}
+
+/* As x0, y0, x1, y1, the last two outside. */
+static int tr_i_unit_bounds(const tr_unit *unit, const double m[16], int width, int height, int out[4]) {
+    double x[2] = {-1.0, 1.0}, y[2] = {-1.0, 1.0};
+    int side = 0, across[2], up[2];
+    if (tr_i_is_bounded(unit)) {
+        side = tr_i_side_of_eye(m, unit);
+        if (side < 0)
+            return 0;
+        if (side > 0 && !(tr_i_sphere_span(m, 0, unit, x) && tr_i_sphere_span(m, 1, unit, y))) {
+            x[0] = y[0] = -1.0;
+            x[1] = y[1] = 1.0;
+        }
+    }
+    if (side > 0 && unit->radius == 0.0f) { /* a point covers the pixel that it lies in */
+        x[1] += 1.0e-9;
+        y[1] += 1.0e-9;
+    }
+    if (!tr_i_pixel_span(x, width, across) || !tr_i_pixel_span(y, height, up))
+        return 0;
+    out[0] = across[0];
+    out[1] = up[0];
+    out[2] = across[1];
+    out[3] = up[1];
+    return 1;
+}
+
+TR_I_API int tr_unit_rectangle(const tr_unit *unit, const float view[16], const float projection[16], int width,
+                               int height, int rectangle[4]) {
+    double m[16];
+    int bounds[4];
+    if (!unit || !view || !projection || !rectangle || width <= 0 || height <= 0 || !tr_i_all_finite(view, 16) ||
+        !tr_i_all_finite(projection, 16))
+        return 0;
+    tr_i_view_projection(view, projection, m);
+    if (!tr_i_unit_bounds(unit, m, width, height, bounds))
+        return 0;
+    rectangle[0] = bounds[0];
+    rectangle[1] = bounds[1];
+    rectangle[2] = bounds[2] - bounds[0];
+    rectangle[3] = bounds[3] - bounds[1];
+    return 1;
+}
+
+/* ---- dynamic transparency: what is drawn where ------------------------------------------------------------------ */
+
+static tr_unit tr_i_unit_at(const tr_dynamic *dynamic, size_t index) {
+    tr_unit unit;
+    size_t stride = dynamic->unit_stride ? dynamic->unit_stride : sizeof unit;
+    memcpy(&unit, (const char *)dynamic->units + index * stride, sizeof unit);
+    return unit;
+}
+
+/* Cells of a multiple of 8 pixels, so that texels of masks do not lie across their borders. */
+static void tr_i_size_grid(tr_i_grid *grid, int width, int height, int side) {
+    grid->side = side;
+    while (width > grid->side * TR_I_CELLS || height > grid->side * TR_I_CELLS)
+        grid->side += 8;
+    grid->columns = (width + grid->side - 1) / grid->side;
+    grid->rows = (height + grid->side - 1) / grid->side;
+}
+
+/* The cells of a rectangle grown by `by` pixels: x0, y0, x1, y1, the last two outside. */
+static void tr_i_cells_of(const tr_i_grid *grid, const tr_i_place *place, int by, int out[4]) {
+    int x0 = (int)place->x0 - by, y0 = (int)place->y0 - by;
+    int x1 = ((int)place->x1 + by + grid->side - 1) / grid->side,
+        y1 = ((int)place->y1 + by + grid->side - 1) / grid->side;
+    out[0] = x0 > 0 ? x0 / grid->side : 0;
+    out[1] = y0 > 0 ? y0 / grid->side : 0;
+    out[2] = x1 < grid->columns ? x1 : grid->columns;
+    out[3] = y1 < grid->rows ? y1 : grid->rows;
+}
+
+static float tr_i_infinite(void) {
+    static const uint32_t bits = 0x7f800000u;
+    float x;
+    memcpy(&x, &bits, sizeof x);
+    return x;
+}
+
+/* Lowers values in the cells of a rectangle (or, with sign -1, raises them). */
+static void tr_i_lower_cells(float *cells, const int box[4], float value, float sign) {
+    int x, y;
+    for (y = box[1]; y < box[3]; ++y)
+        for (x = box[0]; x < box[2]; ++x) {
+            float *cell = &cells[y * TR_I_CELLS + x];
+            *cell = sign * value < sign * *cell ? value : *cell;
+        }
+}
+
+/* Whether any cell of a rectangle has a value that `depth` is not before (sign 1) or not behind (sign -1). */
+static int tr_i_any_cell(const float *cells, const int box[4], float depth, float sign) {
+    int x, y;
+    for (y = box[1]; y < box[3]; ++y)
+        for (x = box[0]; x < box[2]; ++x)
+            if (sign * cells[y * TR_I_CELLS + x] <= sign * depth)
+                return 1;
+    return 0;
+}
+
+static void tr_i_place_unit(const tr_unit *unit, const float view[16], const double m[16], int width, int height,
+                            tr_i_place *place) {
+    double depth, size, r = (double)unit->radius;
+    int bounds[4];
+    memset(place, 0, sizeof *place);
+    if (!tr_i_unit_bounds(unit, m, width, height, bounds))
+        return;
+    place->x0 = (uint16_t)bounds[0];
+    place->y0 = (uint16_t)bounds[1];
+    place->x1 = (uint16_t)bounds[2];
+    place->y1 = (uint16_t)bounds[3];
+    place->last = tr_i_infinite();
+    place->first = -place->last;
+    if (!tr_i_is_bounded(unit))
+        return;
+    depth = -(double)view[14] - (double)view[2] * (double)unit->center[0] - (double)view[6] * (double)unit->center[1] -
+            (double)view[10] * (double)unit->center[2];
+    size = sqrt((double)view[2] * (double)view[2] + (double)view[6] * (double)view[6] +
+                (double)view[10] * (double)view[10]);
+    /* Outward by more than the rounding to float; what is too large for that is infinite. */
+    r = r * size + 1.0e-6 * fabs(depth);
+    if (fabs(depth) + r < 1.0e30) {
+        place->first = (float)(depth - r);
+        place->last = (float)(depth + r);
+    }
+}
+
+/* Rows of cells with masks as few rectangles as a greedy search finds; 0 where they are more than there is room for. */
+static int tr_i_make_tiles(tr_i_grid *grid) {
+    unsigned char open[TR_I_CELLS][TR_I_CELLS];
+    int x, y, x1, y1, i;
+    float none = -tr_i_infinite();
+    grid->tile_count = grid->cell_count = 0;
+    for (y = 0; y < grid->rows; ++y)
+        for (x = 0; x < grid->columns; ++x) {
+            open[y][x] = grid->farthest_target[y * TR_I_CELLS + x] > none;
+            grid->cell_count += open[y][x];
+        }
+    for (y = 0; y < grid->rows; ++y)
+        for (x = 0; x < grid->columns; ++x) {
+            unsigned char *tile = grid->tiles[grid->tile_count];
+            if (!open[y][x])
+                continue;
+            if (grid->tile_count == TR_I_MAX_TILES)
+                return 0;
+            for (x1 = x + 1; x1 < grid->columns && open[y][x1];)
+                ++x1;
+            for (y1 = y, i = x1; i == x1 && y1 < grid->rows;) {
+                for (i = x; i < x1 && open[y1][i];)
+                    ++i;
+                y1 += i == x1;
+            }
+            for (i = y; i < y1; ++i)
+                memset(&open[i][x], 0, (size_t)(x1 - x));
+            tile[0] = (unsigned char)x;
+            tile[1] = (unsigned char)y;
+            tile[2] = (unsigned char)x1;
+            tile[3] = (unsigned char)y1;
+            ++grid->tile_count;
+        }
+    return 1;
+}
+
+static tr_i_law tr_i_law_of(const tr_dynamic *dynamic) {
+    tr_i_law law;
+    law.target = dynamic->alpha_target == 0.0f ? 0.3f : tr_i_clamp01(dynamic->alpha_target);
+    law.start = dynamic->alpha_start == 0.0f ? 0.1f : tr_i_clamp01(dynamic->alpha_start);
+    law.width = dynamic->width == 0.0f ? 12.0f : dynamic->width > 0.0f ? dynamic->width : 0.0f;
+    law.divisor = dynamic->mask_divisor ? dynamic->mask_divisor : 2;
+    law.reach = law.width > 0.0f ? (int)ceil((double)law.width) + 1 : 0;
+    return law;
+}
+
+/* Pixels beyond a target's rectangle that its mask may reach, with the interpolation between texels. */
+static int tr_i_margin(const tr_i_law *law) {
+    return law->reach + (law->reach ? law->divisor : 0);
+}
+
+/* Whether a light reaches a rectangle grown by `by`. */
+static int tr_i_is_lit(const tr_dynamic *dynamic, const tr_i_place *place, int by) {
+    size_t i;
+    for (i = 0; i < dynamic->light_count; ++i) {
+        const tr_light *light = &dynamic->lights[i];
+        double reach = (double)light->radius + (light->edge > 0.0f ? (double)light->edge : 0.0);
+        double x0 = (double)place->x0 - by, x1 = (double)place->x1 + by, y0 = (double)place->y0 - by;
+        double y1 = (double)place->y1 + by, x = (double)light->x, y = (double)light->y;
+        double dx = x < x0 ? x0 - x : x > x1 ? x - x1 : 0.0, dy = y < y0 ? y0 - y : y > y1 ? y - y1 : 0.0;
+        if (dx * dx + dy * dy <= reach * reach)
+            return 1;
+    }
+    return 0;
+}
+
+/* Whether a target in view has a mask at all. */
+static int tr_i_opens(const tr_dynamic *dynamic, const tr_unit *unit, const tr_i_place *place, int margin) {
+    return place->x1 != 0 && tr_i_strength_of(unit) > 0.0f &&
+           (!(unit->flags & TR_UNIT_ACTIVE) || tr_i_is_lit(dynamic, place, margin));
+}
+
+/* Whether an occluder may yield to anything. */
+static int tr_i_yields(const tr_unit *unit) {
+    return !(unit->flags & TR_I_KEPT) && tr_i_importance_of(unit) < 1.0f;
+}
+
+static void tr_i_clear_grid(tr_i_grid *grid) {
+    float none = tr_i_infinite();
+    int i;
+    for (i = 0; i < TR_I_CELLS * TR_I_CELLS; ++i) {
+        grid->nearest_yielding[i] = grid->nearest_target[i] = none;
+        grid->farthest_target[i] = -none;
+    }
+}
+
+/* Places of all units, and where those that yield are. */
+static void tr_i_place_units(tr_i_see *see, const tr_dynamic *dynamic, int width, int height) {
+    double m[16];
+    size_t i;
+    int cells[4];
+    tr_i_view_projection(dynamic->view, dynamic->projection, m);
+    for (i = 0; i < dynamic->unit_count; ++i) {
+        tr_unit unit = tr_i_unit_at(dynamic, i);
+        tr_i_place *place = &see->places[i];
+        tr_i_place_unit(&unit, dynamic->view, m, width, height, place);
+        see->plan.targets += unit.flags & TR_UNIT_TARGET;
+        see->plan.targets_in_view += (unit.flags & TR_UNIT_TARGET) && place->x1 != 0;
+        if (place->x1 == 0 || !(dynamic->query ? !(unit.flags & TR_I_KEPT) : tr_i_yields(&unit)))
+            continue;
+        tr_i_cells_of(&see->grid, place, 0, cells);
+        tr_i_lower_cells(see->grid.nearest_yielding, cells, place->first, 1.0f);
+    }
+}
+
+static void tr_i_list(tr_i_see *see, int list, size_t unit) {
+    see->lists[list][see->counts[list]++] = (uint32_t)unit;
+}
+
+/* Targets that something may lie before, and the cells of their masks. */
+static void tr_i_find_masks(tr_i_see *see, const tr_dynamic *dynamic) {
+    size_t i;
+    int cells[4], margin = tr_i_margin(&see->law);
+    for (i = 0; i < dynamic->unit_count; ++i) {
+        tr_unit unit = tr_i_unit_at(dynamic, i);
+        const tr_i_place *place = &see->places[i];
+        if (!(unit.flags & TR_UNIT_TARGET) || !tr_i_opens(dynamic, &unit, place, margin))
+            continue;
+        tr_i_cells_of(&see->grid, place, margin, cells);
+        if (!tr_i_any_cell(see->grid.nearest_yielding, cells, place->last, 1.0f))
+            continue;
+        tr_i_list(see, TR_I_UNITS_TARGETS, i);
+        tr_i_lower_cells(see->grid.nearest_target, cells, place->first, 1.0f);
+        tr_i_lower_cells(see->grid.farthest_target, cells, place->last, -1.0f);
+    }
+}
+
+/* Who is drawn again, by the masks that it meets. */
+static void tr_i_list_units(tr_i_see *see, const tr_dynamic *dynamic) {
+    const tr_i_grid *grid = &see->grid;
+    size_t i;
+    int cells[4];
+    for (i = 0; i < dynamic->unit_count; ++i) {
+        tr_unit unit = tr_i_unit_at(dynamic, i);
+        const tr_i_place *place = &see->places[i];
+        int yields = tr_i_yields(&unit);
+        float importance = unit.flags & TR_I_KEPT ? 0.0f : tr_i_importance_of(&unit);
+        tr_i_cells_of(grid, place, 0, cells);
+        if (place->x1 == 0 || !tr_i_any_cell(grid->nearest_target, cells, 3.0e38f, 1.0f))
+            continue;
+        tr_i_list(see, TR_I_UNITS_MASKED, i);
+        if (unit.flags & (TR_UNIT_IMPENETRABLE | TR_UNIT_BACKDROP))
+            tr_i_list(see, TR_I_UNITS_BLOCK, i);
+        if (!(unit.flags & TR_I_KEPT) && tr_i_any_cell(grid->farthest_target, cells, place->first, -1.0f)) {
+            tr_i_list(see, TR_I_UNITS_BEFORE, i);
+            see->partial |= yields && importance > 0.0f;
+        }
+        /* What lies before all masks that it meets would be discarded to the last fragment. */
+        if (!yields || importance > 0.0f || tr_i_any_cell(grid->nearest_target, cells, place->last, 1.0f))
+            tr_i_list(see, TR_I_UNITS_BEHIND, i);
+    }
+}
+
+static tr_see_pass *tr_i_add_see_pass(tr_see_plan *plan, tr_pass_kind kind, tr_rule rule, size_t units,
+                                      const char *why) {
+    tr_see_pass *pass = &plan->passes[plan->pass_count++];
+    pass->kind = kind;
+    pass->rule = rule;
+    pass->unit_count = (uint32_t)units;
+    pass->why = why;
+    return pass;
+}
+
+/* Plain drawing. */
+static void tr_i_plan_plain(tr_i_see *see, const char *why) {
+    see->plan.see = TR_SEE_OFF;
+    see->plan.why = why;
+    tr_i_add_see_pass(&see->plan, TR_PASS_SCENE, TR_RULE_SEE_PLAIN, see->counts[TR_I_UNITS_ALL], why);
+}
+
+/* One mask for all targets, with depth. */
+static void tr_i_plan_masks(tr_i_see *see, const tr_dynamic *dynamic) {
+    tr_see_plan *plan = &see->plan;
+    const size_t *counts = see->counts;
+    if (counts[TR_I_UNITS_BLOCK])
+        tr_i_add_see_pass(plan, TR_PASS_BLOCK, TR_RULE_SEE_BLOCK, counts[TR_I_UNITS_BLOCK],
+                          "what closes masks, so that targets behind it open none");
+    tr_i_add_see_pass(plan, TR_PASS_TARGETS, TR_RULE_SEE_TARGET, counts[TR_I_UNITS_TARGETS],
+                      "the nearest target at each pixel");
+    if (see->law.reach) {
+        tr_i_add_see_pass(plan, TR_PASS_SPREAD_X, TR_RULE_SEE_PLAIN, 0, "the nearest pixel of a target in each row");
+        tr_i_add_see_pass(plan, TR_PASS_SPREAD_Y, TR_RULE_SEE_PLAIN, 0, "of these the nearest: distance and depth");
+    }
+    tr_i_add_see_pass(plan, TR_PASS_FINISH, TR_RULE_SEE_PLAIN, 0,
+                      "opacity and depth, with the target's own pixels as drawn");
+    if (dynamic->query) {
+        tr_i_add_see_pass(plan, TR_PASS_QUERY, TR_RULE_SEE_PLAIN, 0, "asked for: which target");
+        tr_i_add_see_pass(plan, TR_PASS_HIDES, TR_RULE_SEE_HIDES, counts[TR_I_UNITS_BEFORE],
+                          "asked for: whether something lies before it");
+    }
+}
+
+static void tr_i_plan_one_mask(tr_i_see *see, const tr_dynamic *dynamic) {
+    tr_see_plan *plan = &see->plan;
+    /* First, so that the host's state is as it was and needs no second snapshot. */
+    tr_i_add_see_pass(plan, TR_PASS_SCENE, TR_RULE_SEE_PLAIN, see->counts[TR_I_UNITS_ALL], "the whole scene, as ever");
+    tr_i_plan_masks(see, dynamic);
+    tr_i_add_see_pass(plan, TR_PASS_PRIME, TR_RULE_SEE_PLAIN, 0, "so that nothing is shaded outside of masks");
+    tr_i_add_see_pass(plan, TR_PASS_BEHIND, TR_RULE_SEE_BEHIND, see->counts[TR_I_UNITS_BEHIND],
+                      "what shows through masks");
+    if (see->partial) {
+        tr_i_add_see_pass(plan, TR_PASS_PRIME, TR_RULE_SEE_PLAIN, 0, "once more");
+        tr_i_add_see_pass(plan, TR_PASS_YIELD, TR_RULE_SEE_YIELD, see->counts[TR_I_UNITS_MASKED],
+                          "some yield in part: importance of the front-most");
+    }
+    tr_i_add_see_pass(plan, TR_PASS_COMPOSE_MASK, TR_RULE_SEE_PLAIN, 0, "what shows through masks, over it");
+}
+
+static void tr_i_plan_dither(tr_i_see *see, const tr_dynamic *dynamic) {
+    tr_i_plan_masks(see, dynamic);
+    tr_i_add_see_pass(&see->plan, TR_PASS_SCENE, TR_RULE_SEE_DITHER, see->counts[TR_I_UNITS_ALL],
+                      "the whole scene, with holes before targets");
+}
+
+static void tr_i_plan_passes(tr_i_see *see, const tr_dynamic *dynamic) {
+    switch (dynamic->see) {
+    case TR_SEE_DITHER:
+        tr_i_plan_dither(see, dynamic);
+        break;
+    default:
+        tr_i_plan_one_mask(see, dynamic);
+        break;
+    }
+}
+
+/* The rectangle of all tiles, and the share of the viewport that they cover. */
+static void tr_i_plan_cover(tr_i_see *see, int width, int height) {
+    const tr_i_grid *grid = &see->grid;
+    int *out = see->plan.rectangle, x1 = 0, y1 = 0, i;
+    double area = 0;
+    out[0] = width;
+    out[1] = height;
+    for (i = 0; i < grid->tile_count; ++i) {
+        const unsigned char *tile = grid->tiles[i];
+        int left = tile[0] * grid->side, low = tile[1] * grid->side, right = tile[2] * grid->side;
+        int top = tile[3] * grid->side;
+        right = right < width ? right : width;
+        top = top < height ? top : height;
+        area += (double)(right - left) * (double)(top - low);
+        out[0] = out[0] < left ? out[0] : left;
+        out[1] = out[1] < low ? out[1] : low;
+        x1 = x1 > right ? x1 : right;
+        y1 = y1 > top ? y1 : top;
+    }
+    out[2] = x1 - out[0];
+    out[3] = y1 - out[1];
+    see->plan.tiles = (uint32_t)grid->tile_count;
+    see->plan.covered = (float)(area / ((double)width * (double)height));
+}
+
+/* The grid, coarser until there is room for its tiles, and who is in which list. */
+static void tr_i_find_units(tr_i_see *see, const tr_dynamic *dynamic, int width, int height) {
+    int side = 16, list;
+    do {
+        tr_i_size_grid(&see->grid, width, height, side);
+        tr_i_clear_grid(&see->grid);
+        for (list = 0; list < TR_I_UNIT_LISTS; ++list)
+            see->counts[list] = 0;
+        see->plan.targets = see->plan.targets_in_view = 0;
+        tr_i_place_units(see, dynamic, width, height);
+        tr_i_find_masks(see, dynamic);
+        side = 2 * see->grid.side;
+    } while (!tr_i_make_tiles(&see->grid));
+    for (see->counts[TR_I_UNITS_ALL] = 0; see->counts[TR_I_UNITS_ALL] < dynamic->unit_count;)
+        tr_i_list(see, TR_I_UNITS_ALL, see->counts[TR_I_UNITS_ALL]);
+    if (see->counts[TR_I_UNITS_TARGETS])
+        tr_i_list_units(see, dynamic);
+}
+
+static void tr_i_plan_see(tr_i_see *see, const tr_dynamic *dynamic, int width, int height) {
+    see->law = tr_i_law_of(dynamic);
+    see->partial = 0;
+    memset(&see->plan, 0, sizeof see->plan);
+    if (width == 0 || height == 0) {
+        see->plan.see = TR_SEE_OFF;
+        see->plan.why = "the viewport has no area";
+        return;
+    }
+    tr_i_find_units(see, dynamic, width, height);
+    see->plan.masks = (uint32_t)see->counts[TR_I_UNITS_TARGETS];
+    if (dynamic->see == TR_SEE_OFF) {
+        tr_i_plan_plain(see, "asked for");
+    } else if (see->plan.targets_in_view == 0) {
+        tr_i_plan_plain(see, "no target is in view");
+    } else if (see->plan.masks == 0) {
+        tr_i_plan_plain(see, "nothing that yields may lie before a target");
+    } else {
+        see->plan.see = dynamic->see;
+        see->plan.why = "something that yields may lie before a target";
+        tr_i_plan_cover(see, width, height);
+        tr_i_plan_passes(see, dynamic);
+    }
+}
+
+TR_I_API size_t tr_see_plan_print(const tr_see_plan *plan, char *string, size_t capacity) {
+    static const char *const names[TR_SEE_COUNT] = {"one mask", "dither", "exact", "sequence", "published", "off"};
+    tr_i_text text = tr_i_text_in(string, string ? capacity : 0);
+    int i;
+    if (!plan)
+        return 0;
+    tr_i_put(&text, names[plan->see]);
+    tr_i_put(&text, ": ");
+    tr_i_put(&text, plan->why ? plan->why : "no frame yet");
+    tr_i_put(&text, "; ");
+    tr_i_put_number(&text, plan->targets);
+    tr_i_put(&text, " targets, ");
+    tr_i_put_number(&text, plan->targets_in_view);
+    tr_i_put(&text, " in view, ");
+    tr_i_put_number(&text, plan->masks);
+    tr_i_put(&text, " with masks; ");
+    tr_i_put_number(&text, plan->tiles);
+    tr_i_put(&text, " tiles, ");
+    tr_i_put_number(&text, (uint64_t)(plan->covered * 100.0f + 0.5f));
+    tr_i_put(&text, " % of the viewport\n");
+    for (i = 0; i < plan->pass_count; ++i) {
+        const tr_see_pass *pass = &plan->passes[i];
+        tr_i_put_number(&text, (uint64_t)i + 1);
+        tr_i_put(&text, ". ");
+        tr_i_put(&text, tr_pass_kind_name(pass->kind));
+        if (pass->unit_count) {
+            tr_i_put(&text, " [");
+            tr_i_put_number(&text, pass->unit_count);
+            tr_i_put(&text, " units]");
+        }
+        tr_i_put(&text, ": ");
+        tr_i_put(&text, pass->why);
+        tr_i_put(&text, "\n");
+    }
+    tr_i_put_number(&text, plan->bytes);
+    tr_i_put(&text, " bytes\n");
+    return text.length;
+}
+
+/* ---- dynamic transparency: bad input ---- */
+
+static const char *tr_i_check_law(const tr_dynamic *dynamic) {
+    const float numbers[3] = {dynamic->alpha_target, dynamic->alpha_start, dynamic->width};
+    int divisor = dynamic->mask_divisor;
+    if ((unsigned)dynamic->see >= (unsigned)TR_SEE_COUNT || (unsigned)dynamic->shape > (unsigned)TR_MASK_HULL ||
+        (unsigned)dynamic->combine > (unsigned)TR_MASK_PRODUCT ||
+        (unsigned)dynamic->occluders > (unsigned)TR_OCCLUDERS_EACH)
+        return "dynamic.see, shape, combine or occluders";
+    if (!tr_i_all_finite(numbers, 3) || dynamic->alpha_target > 1.0f || dynamic->alpha_start > 1.0f ||
+        dynamic->width > (float)TR_MAX_MASK_WIDTH)
+        return "dynamic.alpha_target, alpha_start or width";
+    if (divisor != 0 && divisor != 1 && divisor != 2 && divisor != 4 && divisor != 8)
+        return "dynamic.mask_divisor is none of 1, 2, 4, 8";
+    if (dynamic->layers < 0)
+        return "dynamic.layers is negative";
+    if (!tr_i_all_finite(dynamic->view, 16) || !tr_i_all_finite(dynamic->projection, 16) ||
+        !tr_i_all_finite(dynamic->background, 3))
+        return "dynamic.view, projection or background is not finite";
+    return 0;
+}
+
+/* What the rung cannot do. */
+static const char *tr_i_check_rung(const tr_dynamic *dynamic) {
+    int one_mask = dynamic->see == TR_SEE_ONE_MASK, dither = dynamic->see == TR_SEE_DITHER;
+    if (!one_mask && !dither && dynamic->see != TR_SEE_OFF)
+        return "dynamic.see";
+    if (dynamic->shape != TR_MASK_OUTLINE)
+        return "dynamic.shape";
+    if ((one_mask || dither) && dynamic->combine != TR_MASK_MIN)
+        return "dynamic.combine: one mask for all targets is the least of theirs";
+    if (one_mask && dynamic->occluders != TR_OCCLUDERS_TOGETHER)
+        return "dynamic.occluders: TR_SEE_ONE_MASK sees them together";
+    if ((one_mask || dither) && dynamic->layers != 0)
+        return "dynamic.layers: one mask knows no layers";
+    return 0;
+}
+
+static const char *tr_i_check_lights(const tr_dynamic *dynamic) {
+    size_t i;
+    if (dynamic->light_count > TR_MAX_LIGHTS || (dynamic->light_count && !dynamic->lights))
+        return "dynamic.lights is NULL, or light_count above TR_MAX_LIGHTS";
+    for (i = 0; i < dynamic->light_count; ++i) {
+        const tr_light *light = &dynamic->lights[i];
+        const float numbers[4] = {light->x, light->y, light->radius, light->edge};
+        if (!tr_i_all_finite(numbers, 4) || light->radius < 0.0f || light->edge < 0.0f)
+            return "dynamic.lights: a number is not finite, or a radius or edge negative";
+    }
+    return 0;
+}
+
+static const char *tr_i_check_units(const tr_dynamic *dynamic) {
+    unsigned char seen[(TR_I_MAX_UNIT_ID + 1) / 8];
+    size_t i;
+    if (dynamic->unit_count && !dynamic->units)
+        return "dynamic.units is NULL";
+    if ((dynamic->unit_stride && dynamic->unit_stride < sizeof(tr_unit)) || dynamic->unit_count > 0x7fffffffu)
+        return "dynamic.unit_stride or unit_count";
+    memset(seen, 0, sizeof seen);
+    for (i = 0; i < dynamic->unit_count; ++i) {
+        tr_unit unit = tr_i_unit_at(dynamic, i);
+        unsigned char bit = (unsigned char)(1u << (unit.id & 7u));
+        if (unit.id > TR_I_MAX_UNIT_ID || (unit.flags & ~TR_I_UNIT_FLAGS))
+            return "dynamic.units: an id or flags out of range";
+        if (!(unit.flags & TR_UNIT_TARGET))
+            continue;
+        if (unit.flags & TR_UNIT_BACKDROP)
+            return "dynamic.units: a target cannot be a backdrop";
+        if (unit.id == 0 || (seen[unit.id >> 3] & bit))
+            return "dynamic.units: the id of a target is 0, or another one's";
+        seen[unit.id >> 3] |= bit;
+    }
+    return 0;
+}
+
 /* ---- state: saved, set, restored -------------------------------------------------------------------------------- */
 
 /* Switches that every pass wants off, with the first version that has them (0: never). Those that passes set come last. */
@@ -2651,6 +3981,26 @@ static void tr_i_save_bindings(const tr_context *tr, tr_i_snapshot *saved) {
     gl->ActiveTexture((tr_i_u)saved->active_texture);
 }
 
+static void tr_i_save_scissor(const tr_context *tr, tr_i_snapshot *saved) {
+    if (tr->has_viewports)
+        tr->gl.GetIntegeri_v(TR_I_GL_SCISSOR_BOX, 0, saved->scissor);
+    else
+        tr->gl.GetIntegerv(TR_I_GL_SCISSOR_BOX, saved->scissor);
+}
+
+/* Of the first viewport: Mesa 22 lets the scissors of others cut what is drawn into that. */
+static void tr_i_set_scissor(const tr_context *tr, const int32_t box[4], int on) {
+    if (tr->has_viewports) {
+        tr->gl.ScissorIndexed(0, box[0], box[1], box[2], box[3]);
+        if (on)
+            tr->gl.Enablei(TR_I_GL_SCISSOR_TEST, 0);
+        return;
+    }
+    tr->gl.Scissor(box[0], box[1], box[2], box[3]);
+    if (on)
+        tr->gl.Enable(TR_I_GL_SCISSOR_TEST);
+}
+
 static void tr_i_save(const tr_context *tr, tr_i_snapshot *saved) {
     const tr_i_gl *gl = &tr->gl;
     int i;
@@ -2663,6 +4013,8 @@ static void tr_i_save(const tr_context *tr, tr_i_snapshot *saved) {
     for (i = 0; i < tr->clip_distances; ++i)
         saved->clip_distances[i] = gl->IsEnabled(TR_I_GL_CLIP_DISTANCE0 + (tr_i_u)i);
     tr_i_save_viewport(tr, saved);
+    if (tr->see.active)
+        tr_i_save_scissor(tr, saved);
     gl->GetBooleanv(TR_I_GL_DEPTH_WRITEMASK, &saved->depth_mask);
     gl->GetIntegerv(TR_I_GL_DEPTH_FUNC, &saved->depth_func);
     gl->GetIntegerv(TR_I_GL_CULL_FACE_MODE, &saved->cull_mode);
@@ -2674,8 +4026,11 @@ static void tr_i_save(const tr_context *tr, tr_i_snapshot *saved) {
 /* What a fresh context would have saved, for TR_STATE_LEAVE_DEFAULTS; the viewport stays what it was. */
 static void tr_i_save_defaults(tr_i_snapshot *saved) {
     float viewport[4];
+    int32_t scissor[4];
     memcpy(viewport, saved->viewport, sizeof viewport);
+    memcpy(scissor, saved->scissor, sizeof scissor);
     memset(saved, 0, sizeof *saved);
+    memcpy(saved->scissor, scissor, sizeof scissor);
     memset(saved->color_masks, 1, sizeof saved->color_masks);
     memcpy(saved->viewport, viewport, sizeof viewport);
     saved->caps[2] = 1; /* dither */
@@ -2757,6 +4112,8 @@ static void tr_i_restore(const tr_context *tr, const tr_i_snapshot *saved) {
     for (i = 0; i < tr->viewports; ++i)
         tr_i_switch_of(tr, TR_I_GL_SCISSOR_TEST, i, saved->scissors[i]);
     tr_i_set_viewport(tr, saved->viewport[0], saved->viewport[1], saved->viewport[2], saved->viewport[3]);
+    if (tr->see.active)
+        tr_i_set_scissor(tr, saved->scissor, 0);
     gl->DepthMask(saved->depth_mask);
     gl->DepthFunc((tr_i_u)saved->depth_func);
     tr_i_set_depth_range(tr, saved->depth_range[0], saved->depth_range[1]);
@@ -2823,6 +4180,8 @@ static void tr_i_apply(const tr_context *tr, const tr_state *state) {
     gl->BindFramebuffer(TR_I_GL_DRAW_FRAMEBUFFER, state->framebuffer);
     tr_i_set_viewport(tr, (float)state->viewport[0], (float)state->viewport[1], (float)state->viewport[2],
                       (float)state->viewport[3]);
+    if (state->scissor[2] > 0)
+        tr_i_set_scissor(tr, state->scissor, 1);
     tr_i_set_depth_range(tr, 0.0, 1.0);
     /* A second buffer is one of ours: the mark. The host may have left blending on for it. */
     tr_i_mask_colors(tr, !state->color_write && !state->clear_color    ? 0
@@ -2895,19 +4254,28 @@ static void tr_i_add_preamble(tr_i_source *source, int es, int reversed_z) {
 
 static int tr_i_wants_color(int rule) {
     return rule == TR_RULE_FRONT_ALONE || rule == TR_RULE_PEEL_ALONE || rule == TR_RULE_LAYER ||
-           rule == TR_RULE_LAYER_MARKED || rule == TR_RULE_LAYER_GROUP || rule >= TR_RULE_OPAQUE;
+           rule == TR_RULE_LAYER_MARKED || rule == TR_RULE_LAYER_GROUP || rule == TR_RULE_OPAQUE ||
+           rule == TR_RULE_OPAQUE_ENTERING || rule == TR_RULE_SEE_PLAIN || rule == TR_RULE_SEE_BEHIND ||
+           rule == TR_RULE_SEE_DITHER;
 }
 
 static int tr_i_wants_alpha(int rule) {
     return tr_i_wants_color(rule) && rule < TR_RULE_OPAQUE;
 }
 
+/* Of dynamic transparency. */
+static int tr_i_is_see(int rule) {
+    return rule >= TR_RULE_SEE_PLAIN;
+}
+
 static void tr_i_add_rule(tr_i_source *source, int rule) {
-    static const char *const rules[TR_RULE_COUNT] = {
+    static const char *const rules[TR_RULE_SEE_END] = {
         "#define TR_RULE 0\n",  "#define TR_RULE 1\n",  "#define TR_RULE 2\n",  "#define TR_RULE 3\n",
         "#define TR_RULE 4\n",  "#define TR_RULE 5\n",  "#define TR_RULE 6\n",  "#define TR_RULE 7\n",
         "#define TR_RULE 8\n",  "#define TR_RULE 9\n",  "#define TR_RULE 10\n", "#define TR_RULE 11\n",
-        "#define TR_RULE 12\n", "#define TR_RULE 13\n", "#define TR_RULE 14\n"};
+        "#define TR_RULE 12\n", "#define TR_RULE 13\n", "#define TR_RULE 14\n", "#define TR_RULE 15\n",
+        "#define TR_RULE 16\n", "#define TR_RULE 17\n", "#define TR_RULE 18\n", "#define TR_RULE 19\n",
+        "#define TR_RULE 20\n", "#define TR_RULE 21\n"};
     tr_i_add(source, rules[rule]);
     tr_i_add(source, tr_i_wants_color(rule) ? "#define TR_WANTS_COLOR 1\n" : "#define TR_WANTS_COLOR 0\n");
     tr_i_add(source, tr_i_wants_alpha(rule) ? "#define TR_WANTS_ALPHA 1\n" : "#define TR_WANTS_ALPHA 0\n");
@@ -2915,6 +4283,7 @@ static void tr_i_add_rule(tr_i_source *source, int rule) {
                          ? "#define TR_CHAIN 1\n"
                          : "#define TR_CHAIN 0\n");
     tr_i_add(source, rule == TR_RULE_OPAQUE_ENTERING ? "#define TR_STRENGTHENS 1\n" : "#define TR_STRENGTHENS 0\n");
+    tr_i_add(source, tr_i_is_see(rule) ? "#define TR_IS_SEE 1\n" : "#define TR_IS_SEE 0\n");
 }
 
 /* What a host's shader begins with, and the built-in surface programs too. */
@@ -2926,6 +4295,10 @@ static void tr_i_host_source(tr_i_source *source, tr_stage stage, int rule, int 
     if (stage == TR_VERTEX) {
         tr_i_add_chunks(source, tr_i_shader_surface_vertex_glsl);
         tr_i_add_chunks(source, tr_i_shader_alpha_law_glsl);
+    } else if (tr_i_is_see(rule)) {
+        tr_i_add_chunks(source, tr_i_shader_see_block_glsl);
+        tr_i_add_chunks(source, tr_i_shader_see_rules_glsl);
+        tr_i_add_chunks(source, tr_i_shader_cool_to_warm_glsl);
     } else {
         tr_i_add_chunks(source, tr_i_shader_frame_block_glsl);
         tr_i_add_chunks(source, tr_i_shader_chain_glsl);
@@ -3013,6 +4386,26 @@ static void tr_i_outline_source(tr_i_source *source, tr_stage stage, int variant
     tr_i_add_chunks(source, stage == TR_VERTEX ? tr_i_shader_fullscreen_vert : tr_i_shader_outline_frag);
 }
 
+/* Full-screen passes of dynamic transparency. */
+static void tr_i_see_source(tr_i_source *source, tr_stage stage, int program) {
+    int rows = program == TR_I_PROGRAM_SPREAD_X, low = program == TR_I_PROGRAM_SPREAD_Y;
+    tr_i_add_chunks(source, tr_i_shader_see_block_glsl);
+    if (stage == TR_VERTEX) {
+        tr_i_add(source, rows || low ? "#define TR_COARSE_X 1\n" : "#define TR_COARSE_X 0\n");
+        tr_i_add(source, low ? "#define TR_COARSE_Y 1\n" : "#define TR_COARSE_Y 0\n");
+        tr_i_add_chunks(source, tr_i_shader_see_tile_vert);
+        return;
+    }
+    tr_i_add(source, low ? "#define TR_SPREAD 1\n" : "#define TR_SPREAD 0\n");
+    tr_i_add(source, program == TR_I_PROGRAM_FINISH ? "#define TR_HAS_LOW 1\n" : "#define TR_HAS_LOW 0\n");
+    tr_i_add(source, program == TR_I_PROGRAM_COMPOSE_YIELD ? "#define TR_HAS_YIELD 1\n" : "#define TR_HAS_YIELD 0\n");
+    tr_i_add_chunks(source, rows || low                            ? tr_i_shader_see_spread_frag
+                            : program == TR_I_PROGRAM_PRIME        ? tr_i_shader_see_prime_frag
+                            : program == TR_I_PROGRAM_QUERY        ? tr_i_shader_see_query_frag
+                            : program >= TR_I_PROGRAM_COMPOSE_MASK ? tr_i_shader_see_compose_frag
+                                                                   : tr_i_shader_see_finish_frag);
+}
+
 /* After the strings of tr_i_host_source, which hold the law itself for the vertex stage. */
 static void tr_i_alpha_source(tr_i_source *source, tr_stage stage, int alpha) {
     static const char *const rungs[TR_ALPHA_COUNT] = {"#define TR_ALPHA 0\n", "#define TR_ALPHA 1\n",
@@ -3031,8 +4424,9 @@ static void tr_i_alpha_source(tr_i_source *source, tr_stage stage, int alpha) {
 static void tr_i_program_source(tr_i_source *source, int program, uint32_t key, tr_stage stage, int es,
                                 int reversed_z) {
     if (program < TR_I_PROGRAM_COPY_DEPTH || (program >= TR_I_PROGRAM_ALPHA && program < TR_I_PROGRAM_OUTLINE)) {
-        int further = program >= TR_I_PROGRAM_ALPHA ? program - TR_I_PROGRAM_ALPHA + (int)TR_RULE_COUNT : program;
-        int rule = further % (int)TR_RULE_COUNT, alpha = further / (int)TR_RULE_COUNT;
+        int further = program - TR_I_PROGRAM_ALPHA;
+        int rule = further < 0 ? program : further % (int)TR_RULE_COUNT;
+        int alpha = further < 0 ? 0 : further / (int)TR_RULE_COUNT + 1;
         tr_i_host_source(source, stage, rule, es, reversed_z);
         if (tr_i_wants_alpha(rule))
             tr_i_alpha_source(source, stage, alpha);
@@ -3042,7 +4436,9 @@ static void tr_i_program_source(tr_i_source *source, int program, uint32_t key, 
     source->count = 0;
     source->used = 0;
     tr_i_add_preamble(source, es, reversed_z);
-    if (program >= TR_I_PROGRAM_OUTLINE)
+    if (program >= TR_I_PROGRAM_SEE)
+        tr_i_see_source(source, stage, program);
+    else if (program >= TR_I_PROGRAM_OUTLINE)
         tr_i_outline_source(source, stage, program - TR_I_PROGRAM_OUTLINE);
     else if (program >= TR_I_PROGRAM_VARIANT)
         tr_i_variant_source(source, stage, key);
@@ -3103,8 +4499,13 @@ static void tr_i_wire_program(tr_context *tr, tr_i_u program) {
                                                            "tr_scene_depth", "tr_opaque_color", "tr_layer_color",
                                                            "tr_front_mark",  "tr_crossings"};
     /* No program has two names for one unit. */
-    static const char *const others[] = {"tr_edge_segments", "tr_edge_lists", "tr_outlines", "tr_ids", "tr_nearest"};
-    static const int units[] = {TR_TEXTURE_UNITS, TR_TEXTURE_UNITS + 1, TR_TEXTURE_UNITS, TR_I_OPAQUE_COLOR, TR_I_MARK};
+    static const char *const others[] = {"tr_edge_segments", "tr_edge_lists", "tr_outlines",   "tr_ids",
+                                         "tr_nearest",       "tr_see_depth",  "tr_see_mark",   "tr_see_mask",
+                                         "tr_see_rows",      "tr_see_low",    "tr_see_behind", "tr_see_low_depth",
+                                         "tr_see_yield"};
+    static const int units[] = {TR_TEXTURE_UNITS, TR_TEXTURE_UNITS + 1, TR_TEXTURE_UNITS,  TR_I_OPAQUE_COLOR, TR_I_MARK,
+                                TR_I_SCENE_DEPTH, TR_I_OPAQUE_COLOR,    TR_I_OPAQUE_COLOR, TR_I_MARK,         TR_I_MARK,
+                                TR_I_MARK,        TR_I_CROSSINGS,       TR_I_CROSSINGS};
     tr_i_u block = tr->gl.GetUniformBlockIndex(program, "tr_frame");
     int i;
     tr->gl.UseProgram(program);
@@ -3113,7 +4514,7 @@ static void tr_i_wire_program(tr_context *tr, tr_i_u program) {
         if (location >= 0)
             tr->gl.Uniform1i(location, tr->desc.first_texture_unit + i);
     }
-    for (i = 0; i < 5; ++i) {
+    for (i = 0; i < (int)(sizeof units / sizeof units[0]); ++i) {
         int32_t location = tr->gl.GetUniformLocation(program, others[i]);
         if (location >= 0)
             tr->gl.Uniform1i(location, tr->desc.first_texture_unit + units[i]);
@@ -3147,7 +4548,7 @@ static tr_result tr_i_make_program(tr_context *tr, int index) {
 }
 
 TR_I_API const char *const *tr_glsl(const tr_context *tr, tr_stage stage, tr_rule rule, int *count) {
-    if (!tr || (unsigned)stage >= (unsigned)TR_STAGE_COUNT || (unsigned)rule >= (unsigned)TR_RULE_COUNT || !count)
+    if (!tr || (unsigned)stage >= (unsigned)TR_STAGE_COUNT || (unsigned)rule >= (unsigned)TR_RULE_SEE_END || !count)
         return 0;
     *count = tr->string_count[stage][rule];
     return tr->strings[stage][rule];
@@ -3206,6 +4607,9 @@ static void tr_i_load_static(tr_i_gl *gl) {
 #if defined(GL_VERSION_4_1) || defined(GL_ES_VERSION_2_0)
     TR_I_GL_ES(TR_I_TAKE)
 #endif
+#if (defined(GL_VERSION_3_2) || defined(GL_ES_VERSION_3_0)) && !defined(__EMSCRIPTEN__)
+    TR_I_GL_QUERY(TR_I_TAKE)
+#endif
 #if defined(GL_VERSION_3_0) || defined(GL_ES_VERSION_3_2)
     TR_I_GL_INDEXED(TR_I_TAKE)
 #endif
@@ -3230,6 +4634,7 @@ static tr_result tr_i_load(tr_context *tr) {
     TR_I_GL_INDEXED_BLEND(TR_I_TAKE)
     TR_I_GL_VIEWPORTS(TR_I_TAKE)
     TR_I_GL_ES(TR_I_TAKE)
+    TR_I_GL_QUERY(TR_I_TAKE)
 #undef TR_I_TAKE
 #endif
 #define TR_I_CHECK(type, name, parameters)                                                                             \
@@ -3269,10 +4674,16 @@ static tr_result tr_i_detect(tr_context *tr) {
         TR_I_GL_INDEXED(TR_I_CHECK)
 #undef TR_I_CHECK
     }
+    tr->has_queries = 1;
+#define TR_I_CHECK(type, name, parameters)                                                                             \
+    if (!tr->gl.name)                                                                                                  \
+        tr->has_queries = 0;
+    TR_I_GL_QUERY(TR_I_CHECK)
+#undef TR_I_CHECK
     tr->has_indexed_blend = tr->version >= (tr->es ? 320 : 400) && tr->gl.BlendFuncSeparatei &&
                             tr->gl.BlendEquationSeparatei && tr->has_indexed;
     tr->has_viewports = !tr->es && tr->version >= 410 && tr->gl.ViewportIndexedf && tr->gl.DepthRangeIndexed &&
-                        tr->gl.GetFloati_v && tr->gl.GetDoublei_v && tr->has_indexed;
+                        tr->gl.GetFloati_v && tr->gl.GetDoublei_v && tr->gl.ScissorIndexed && tr->has_indexed;
     if (tr->has_viewports) {
         tr->gl.GetIntegerv(TR_I_GL_MAX_VIEWPORTS, &limit);
         tr->viewports = limit > TR_I_MAX_VIEWPORTS ? TR_I_MAX_VIEWPORTS : limit;
@@ -3340,7 +4751,7 @@ static void tr_i_assemble_host_sources(tr_context *tr) {
     tr_i_source source;
     int stage, rule;
     for (stage = 0; stage < (int)TR_STAGE_COUNT; ++stage) {
-        for (rule = 0; rule < (int)TR_RULE_COUNT; ++rule) {
+        for (rule = 0; rule < (int)TR_RULE_SEE_END; ++rule) {
             tr_i_host_source(&source, (tr_stage)stage, rule, tr->es, tr->desc.reversed_z);
             memcpy(tr->strings[stage][rule], source.strings, (size_t)source.count * sizeof source.strings[0]);
             /* The host's own text counts its lines from 1. */
@@ -3440,6 +4851,251 @@ static void tr_i_drop_edges(tr_context *tr) {
     memset(tr->edge_rows, 0, sizeof tr->edge_rows);
 }
 
+/* ---- dynamic transparency: memory and textures ------------------------------------------------------------------ */
+
+typedef struct tr_i_see_format {
+    tr_i_u internal, format, type;
+    uint32_t bytes;
+    int across, up; /* 0: the viewport's size; 1: divided as masks are; 2: by 4 */
+} tr_i_see_format;
+
+static tr_i_see_format tr_i_see_format_of(int texture, int srgb) {
+    static const tr_i_see_format formats[TR_I_SEE_TEXTURE_COUNT] = {
+        {TR_I_GL_DEPTH_COMPONENT32F, TR_I_GL_DEPTH_COMPONENT, TR_I_GL_FLOAT, 4, 0, 0},
+        {TR_I_GL_RGBA8, TR_I_GL_RGBA, TR_I_GL_UNSIGNED_BYTE, 4, 0, 0},
+        {TR_I_GL_R8, TR_I_GL_RED, TR_I_GL_UNSIGNED_BYTE, 1, 1, 0},
+        {TR_I_GL_RGBA8, TR_I_GL_RGBA, TR_I_GL_UNSIGNED_BYTE, 4, 1, 1},
+        {TR_I_GL_DEPTH_COMPONENT32F, TR_I_GL_DEPTH_COMPONENT, TR_I_GL_FLOAT, 4, 1, 1},
+        {TR_I_GL_RG8, TR_I_GL_RG, TR_I_GL_UNSIGNED_BYTE, 2, 0, 0},
+        {TR_I_GL_DEPTH_COMPONENT32F, TR_I_GL_DEPTH_COMPONENT, TR_I_GL_FLOAT, 4, 0, 0},
+        {TR_I_GL_RGBA8, TR_I_GL_RGBA, TR_I_GL_UNSIGNED_BYTE, 4, 0, 0},
+        {TR_I_GL_R8, TR_I_GL_RED, TR_I_GL_UNSIGNED_BYTE, 1, 0, 0},
+        {TR_I_GL_RGBA8, TR_I_GL_RGBA, TR_I_GL_UNSIGNED_BYTE, 4, 2, 2}};
+    tr_i_see_format format = formats[texture];
+    if (texture == TR_I_SEE_BEHIND && srgb)
+        format.internal = TR_I_GL_SRGB8_ALPHA8;
+    return format;
+}
+
+static void tr_i_see_size(const tr_i_see_format *format, int width, int height, int divisor, int out[2]) {
+    int across = format->across == 0 ? 1 : format->across == 1 ? divisor : 4;
+    int up = format->up == 0 ? 1 : format->up == 1 ? divisor : 4;
+    out[0] = (width + across - 1) / across;
+    out[1] = (height + up - 1) / up;
+}
+
+static uint64_t tr_i_see_weight(int texture, int width, int height, int divisor) {
+    tr_i_see_format format = tr_i_see_format_of(texture, 0);
+    int size[2];
+    tr_i_see_size(&format, width, height, divisor, size);
+    return (uint64_t)size[0] * (uint64_t)size[1] * format.bytes;
+}
+
+/* Of the framebuffers: a colour, and a depth or none (-1). */
+static void tr_i_see_attached(int fbo, int out[2]) {
+    static const signed char attached[TR_I_SEE_FBO_COUNT][2] = {{TR_I_SEE_MARK, TR_I_SEE_DEPTH},
+                                                                {TR_I_SEE_ROWS, -1},
+                                                                {TR_I_SEE_LOW, TR_I_SEE_LOW_DEPTH},
+                                                                {TR_I_SEE_MASK, TR_I_SEE_MASK_DEPTH},
+                                                                {TR_I_SEE_BEHIND, TR_I_SEE_DEPTH},
+                                                                {TR_I_SEE_YIELD, TR_I_SEE_DEPTH},
+                                                                {TR_I_SEE_QUERY, -1}};
+    out[0] = attached[fbo][0];
+    out[1] = attached[fbo][1];
+}
+
+/* The framebuffer of ours that a pass of a plan draws into; -1: the host's. */
+static int tr_i_see_fbo_of(const tr_see_plan *plan, int index) {
+    switch (plan->passes[index].kind) {
+    case TR_PASS_BLOCK:
+    case TR_PASS_TARGETS:
+        return TR_I_SEE_FBO_TARGETS;
+    case TR_PASS_SPREAD_X:
+        return TR_I_SEE_FBO_ROWS;
+    case TR_PASS_SPREAD_Y:
+        return TR_I_SEE_FBO_LOW;
+    case TR_PASS_FINISH:
+        return TR_I_SEE_FBO_MASK;
+    case TR_PASS_PRIME: /* for the pass after it */
+        return plan->passes[index + 1].kind == TR_PASS_YIELD ? TR_I_SEE_FBO_YIELD : TR_I_SEE_FBO_BEHIND;
+    case TR_PASS_BEHIND:
+        return TR_I_SEE_FBO_BEHIND;
+    case TR_PASS_YIELD:
+        return TR_I_SEE_FBO_YIELD;
+    case TR_PASS_QUERY:
+    case TR_PASS_HIDES:
+        return TR_I_SEE_FBO_QUERY;
+    default:
+        return -1;
+    }
+}
+
+/* Bits of the textures that a plan draws into. */
+static uint32_t tr_i_see_needs(const tr_see_plan *plan) {
+    uint32_t needs = 0;
+    int i, attached[2];
+    for (i = 0; i < plan->pass_count; ++i) {
+        int fbo = tr_i_see_fbo_of(plan, i);
+        if (fbo < 0)
+            continue;
+        tr_i_see_attached(fbo, attached);
+        needs |= 1u << attached[0] | (attached[1] >= 0 ? 1u << attached[1] : 0u);
+    }
+    return needs;
+}
+
+/* Textures of dynamic transparency that are held now. */
+static uint64_t tr_i_see_bytes(const tr_context *tr) {
+    const tr_i_see *see = &tr->see;
+    uint64_t bytes = 0;
+    int i;
+    for (i = 0; i < TR_I_SEE_TEXTURE_COUNT; ++i)
+        if (see->textures[i])
+            bytes += tr_i_see_weight(i, see->width, see->height, see->divisor);
+    return bytes;
+}
+
+static void tr_i_drop_queries(tr_context *tr) {
+    int i;
+    for (i = 0; i < TR_I_QUERY_RING; ++i) {
+        tr_i_query *query = &tr->see.queries[i];
+        if (query->fence)
+            tr->gl.DeleteSync(query->fence);
+        if (query->buffer)
+            tr->gl.DeleteBuffers(1, &query->buffer);
+        memset(query, 0, sizeof *query);
+    }
+}
+
+static void tr_i_drop_see_textures(tr_context *tr) {
+    tr_i_drop_queries(tr);
+    tr_i_delete_framebuffers(tr, TR_I_SEE_FBO_COUNT, tr->see.fbos);
+    tr_i_delete_textures(tr, TR_I_SEE_TEXTURE_COUNT, tr->see.textures);
+    tr->see.width = tr->see.height = 0;
+}
+
+/* All but the uniform buffer. */
+static void tr_i_drop_see(tr_context *tr) {
+    tr_i_drop_see_textures(tr);
+    if (tr->see.places)
+        tr->desc.free_fn(tr->see.places, tr->desc.alloc_user);
+    tr->see.places = 0;
+    tr->see.capacity = 0;
+    if (tr->see.answer)
+        tr->desc.free_fn(tr->see.answer, tr->desc.alloc_user);
+    tr->see.answer = 0;
+}
+
+/* Lists for so many units; grown by a quarter more, so that counts that change little allocate nothing. */
+static tr_result tr_i_fit_units(tr_context *tr, size_t count) {
+    tr_i_see *see = &tr->see;
+    size_t capacity = count + count / 4 + 64, each = sizeof(tr_i_place) + TR_I_UNIT_LISTS * sizeof(uint32_t);
+    char *block;
+    int list;
+    if (count <= see->capacity && see->places)
+        return TR_OK;
+    block = (char *)tr->desc.alloc_fn(capacity * each, tr->desc.alloc_user);
+    if (!block)
+        return tr_i_fail(&tr->desc, TR_OUT_OF_MEMORY, "dynamic.units");
+    if (see->places)
+        tr->desc.free_fn(see->places, tr->desc.alloc_user);
+    see->places = (tr_i_place *)(void *)block;
+    see->capacity = capacity;
+    for (list = 0; list < TR_I_UNIT_LISTS; ++list)
+        see->lists[list] =
+            (uint32_t *)(void *)(block + capacity * (sizeof(tr_i_place) + (size_t)list * sizeof(uint32_t)));
+    return TR_OK;
+}
+
+static void tr_i_make_see_texture(tr_context *tr, int index) {
+    const tr_i_gl *gl = &tr->gl;
+    const tr_i_see *see = &tr->see;
+    tr_i_see_format format = tr_i_see_format_of(index, see->srgb);
+    int size[2];
+    tr_i_see_size(&format, see->width, see->height, see->divisor, size);
+    gl->GenTextures(1, &tr->see.textures[index]);
+    gl->BindTexture(TR_I_GL_TEXTURE_2D, see->textures[index]);
+    gl->TexImage2D(TR_I_GL_TEXTURE_2D, 0, (int32_t)format.internal, size[0], size[1], 0, format.format, format.type, 0);
+    gl->TexParameteri(TR_I_GL_TEXTURE_2D, TR_I_GL_TEXTURE_MIN_FILTER, TR_I_GL_NEAREST);
+    gl->TexParameteri(TR_I_GL_TEXTURE_2D, TR_I_GL_TEXTURE_MAG_FILTER, TR_I_GL_NEAREST);
+    gl->TexParameteri(TR_I_GL_TEXTURE_2D, TR_I_GL_TEXTURE_WRAP_S, TR_I_GL_CLAMP_TO_EDGE);
+    gl->TexParameteri(TR_I_GL_TEXTURE_2D, TR_I_GL_TEXTURE_WRAP_T, TR_I_GL_CLAMP_TO_EDGE);
+}
+
+static int tr_i_make_see_fbo(tr_context *tr, int index) {
+    static const tr_i_u color = TR_I_GL_COLOR_ATTACHMENT0;
+    const tr_i_gl *gl = &tr->gl;
+    int attached[2];
+    tr_i_see_attached(index, attached);
+    gl->GenFramebuffers(1, &tr->see.fbos[index]);
+    gl->BindFramebuffer(TR_I_GL_DRAW_FRAMEBUFFER, tr->see.fbos[index]);
+    gl->BindFramebuffer(TR_I_GL_READ_FRAMEBUFFER, tr->see.fbos[index]);
+    gl->FramebufferTexture2D(TR_I_GL_DRAW_FRAMEBUFFER, color, TR_I_GL_TEXTURE_2D, tr->see.textures[attached[0]], 0);
+    if (attached[1] >= 0)
+        gl->FramebufferTexture2D(TR_I_GL_DRAW_FRAMEBUFFER, TR_I_GL_DEPTH_ATTACHMENT, TR_I_GL_TEXTURE_2D,
+                                 tr->see.textures[attached[1]], 0);
+    gl->DrawBuffers(1, &color);
+    gl->ReadBuffer(color);
+    return gl->CheckFramebufferStatus(TR_I_GL_DRAW_FRAMEBUFFER) == TR_I_GL_FRAMEBUFFER_COMPLETE;
+}
+
+/* The ring that queries are read through, and room for their answers. */
+static tr_result tr_i_make_queries(tr_context *tr) {
+    tr_i_see *see = &tr->see;
+    size_t room = (TR_I_MAX_UNIT_ID + 1) * sizeof see->answer[0];
+    int i;
+    if (!see->answer)
+        see->answer = (tr_i_answer *)tr->desc.alloc_fn(room, tr->desc.alloc_user);
+    if (!see->answer)
+        return tr_i_fail(&tr->desc, TR_OUT_OF_MEMORY, "dynamic.query");
+    memset(see->answer, 0, room);
+    for (i = 0; i < TR_I_QUERY_RING; ++i) {
+        tr->gl.GenBuffers(1, &see->queries[i].buffer);
+        tr->gl.BindBuffer(TR_I_GL_PIXEL_PACK_BUFFER, see->queries[i].buffer);
+        tr->gl.BufferData(TR_I_GL_PIXEL_PACK_BUFFER,
+                          (ptrdiff_t)tr_i_see_weight(TR_I_SEE_QUERY, see->width, see->height, see->divisor), 0,
+                          TR_I_GL_STREAM_READ);
+    }
+    return TR_OK;
+}
+
+static int tr_i_lacks_queries(const tr_i_see *see) {
+    return ((tr_i_see_needs(&see->plan) >> TR_I_SEE_QUERY) & 1u) && (!see->queries[0].buffer || !see->answer);
+}
+
+/* Whether textures of another size, divisor or encoding are held. */
+static int tr_i_see_misfits(const tr_context *tr) {
+    const tr_i_see *see = &tr->see;
+    int srgb = (tr->frame.wishes.options & TR_WISH_SRGB) != 0;
+    return see->width != tr->frame.width || see->height != tr->frame.height || see->divisor != see->law.divisor ||
+           see->srgb != srgb;
+}
+
+static tr_result tr_i_make_see_textures(tr_context *tr) {
+    tr_i_see *see = &tr->see;
+    uint32_t needs = tr_i_see_needs(&see->plan);
+    int i;
+    if (tr_i_see_misfits(tr))
+        tr_i_drop_see_textures(tr);
+    see->width = tr->frame.width;
+    see->height = tr->frame.height;
+    see->divisor = see->law.divisor;
+    see->srgb = (tr->frame.wishes.options & TR_WISH_SRGB) != 0;
+    tr->gl.BindBuffer(TR_I_GL_PIXEL_UNPACK_BUFFER, 0);
+    tr->gl.ActiveTexture(TR_I_GL_TEXTURE0 + (tr_i_u)(tr->desc.first_texture_unit + TR_I_SCENE_DEPTH));
+    for (i = 0; i < TR_I_SEE_TEXTURE_COUNT; ++i)
+        if (((needs >> i) & 1u) && !see->textures[i])
+            tr_i_make_see_texture(tr, i);
+    for (i = 0; i < see->plan.pass_count; ++i) {
+        int fbo = tr_i_see_fbo_of(&see->plan, i);
+        if (fbo < 0 || see->fbos[fbo] || tr_i_make_see_fbo(tr, fbo))
+            continue;
+        tr_i_drop_see_textures(tr);
+        return tr_i_fail(&tr->desc, TR_TARGET_INCOMPLETE, "one of the header's own");
+    }
+    return TR_OK;
+}
+
 TR_I_API tr_result tr_release(tr_context *tr) {
     if (!tr)
         return TR_INVALID_ARGUMENT;
@@ -3448,6 +5104,7 @@ TR_I_API tr_result tr_release(tr_context *tr) {
     tr_i_drop_textures(tr);
     tr_i_drop_edges(tr);
     tr_i_drop_outlines(tr);
+    tr_i_drop_see(tr);
     return TR_OK;
 }
 
@@ -3459,6 +5116,7 @@ TR_I_API void tr_destroy(tr_context *tr) {
     tr->gl.DeleteTextures(1, &tr->textures[TR_I_CROSSINGS]);
     tr_i_drop_edges(tr);
     tr_i_drop_outlines(tr);
+    tr_i_drop_see(tr);
     for (i = 0; i < TR_I_PROGRAM_COUNT; ++i)
         if (tr->programs[i].name)
             tr->gl.DeleteProgram(tr->programs[i].name);
@@ -3466,6 +5124,8 @@ TR_I_API void tr_destroy(tr_context *tr) {
         tr->gl.DeleteVertexArrays(1, &tr->vertex_array);
     if (tr->uniform_buffer)
         tr->gl.DeleteBuffers(1, &tr->uniform_buffer);
+    if (tr->see.buffer)
+        tr->gl.DeleteBuffers(1, &tr->see.buffer);
     tr->desc.free_fn(tr, tr->desc.alloc_user);
 }
 
@@ -3478,8 +5138,10 @@ TR_I_API tr_info tr_get_info(const tr_context *tr) {
     info.es = tr->es;
     info.version = tr->version;
     info.plan = &tr->plan;
+    info.see_plan = &tr->see.plan;
+    info.bytes = tr_i_see_bytes(tr);
     if (tr->textures[TR_I_CROSSINGS])
-        info.bytes = (uint64_t)tr->slices[TR_I_CROSSINGS] * TR_I_CROSSING_ROW * 16u;
+        info.bytes += (uint64_t)tr->slices[TR_I_CROSSINGS] * TR_I_CROSSING_ROW * 16u;
     for (i = 0; i < TR_I_TEXTURE_COUNT; ++i)
         if (tr->textures[i] && i != TR_I_CROSSINGS)
             info.bytes += (uint64_t)tr->width * (uint64_t)tr->height * (uint64_t)tr->slices[i] * tr_i_texel_bytes(i);
@@ -4557,6 +6219,7 @@ TR_I_API tr_result tr_begin(tr_context *tr, const tr_frame *frame) {
     tr->frame = *frame;
     tr->frame.scene = counts;
     tr->next_pass = 0;
+    tr->see.active = 0;
     if (tr->plan.pass_count > 0) {
         none = tr->desc.state == TR_STATE_NONE;
         if (!none) {
@@ -4756,9 +6419,603 @@ static void tr_i_draw_triangle(tr_context *tr, const tr_state *state) {
     tr->gl.BindVertexArray((tr_i_u)vertex_array);
 }
 
+/* ---- dynamic transparency: the sequence ------------------------------------------------------------------------- */
+
+static tr_result tr_i_check_dynamic(const tr_context *tr, const tr_frame *frame, const tr_dynamic *dynamic) {
+    const char *wrong = tr_i_check_law(dynamic);
+    if (!wrong)
+        wrong = tr_i_check_rung(dynamic);
+    if (!wrong)
+        wrong = tr_i_check_lights(dynamic);
+    if (!wrong)
+        wrong = tr_i_check_units(dynamic);
+    if (wrong)
+        return tr_i_fail(&tr->desc, TR_INVALID_ARGUMENT, wrong);
+    if (dynamic->query && !tr->has_queries)
+        return tr_i_fail(&tr->desc, TR_GL_FUNCTION_MISSING, "dynamic.query: glMapBufferRange and glFenceSync");
+    return tr_i_check_frame(tr, frame);
+}
+
+/* Bytes of the textures that the plan needs. */
+static void tr_i_weigh_see(tr_context *tr) {
+    tr_i_see *see = &tr->see;
+    uint32_t needs = tr_i_see_needs(&see->plan);
+    int i;
+    for (i = 0; i < TR_I_SEE_TEXTURE_COUNT; ++i)
+        if ((needs >> i) & 1u)
+            see->plan.bytes += tr_i_see_weight(i, tr->frame.width, tr->frame.height, see->law.divisor);
+}
+
+/* What of a frame is looked at. */
+static tr_frame tr_i_dynamic_frame(const tr_frame *frame) {
+    tr_frame used = *frame;
+    memset(&used.scene, 0, sizeof used.scene);
+    memset(&used.wishes, 0, sizeof used.wishes);
+    used.wishes.options = frame->wishes.options & TR_WISH_SRGB;
+    used.enter_distance = used.group_distance = 0.0f;
+    return used;
+}
+
+/* The program of ours for a pass of the plan. */
+static int tr_i_see_program(const tr_context *tr, const tr_see_pass *pass) {
+    switch (pass->kind) {
+    case TR_PASS_SPREAD_X:
+        return TR_I_PROGRAM_SPREAD_X;
+    case TR_PASS_SPREAD_Y:
+        return TR_I_PROGRAM_SPREAD_Y;
+    case TR_PASS_FINISH:
+        return tr->see.law.reach ? TR_I_PROGRAM_FINISH : TR_I_PROGRAM_FINISH_BARE;
+    case TR_PASS_PRIME:
+        return TR_I_PROGRAM_PRIME;
+    case TR_PASS_COMPOSE_MASK:
+        return tr->see.partial ? TR_I_PROGRAM_COMPOSE_YIELD : TR_I_PROGRAM_COMPOSE_MASK;
+    case TR_PASS_QUERY:
+        return TR_I_PROGRAM_QUERY;
+    default:
+        return (int)pass->rule;
+    }
+}
+
+/* Whether the host draws in a pass; else it is one of tiles. */
+static int tr_i_see_is_drawn(tr_pass_kind kind) {
+    return kind == TR_PASS_BLOCK || kind == TR_PASS_TARGETS || kind == TR_PASS_SCENE || kind == TR_PASS_BEHIND ||
+           kind == TR_PASS_YIELD || kind == TR_PASS_HIDES;
+}
+
+static const uint32_t *tr_i_see_units(const tr_i_see *see, tr_pass_kind kind) {
+    switch (kind) {
+    case TR_PASS_BLOCK:
+        return see->lists[TR_I_UNITS_BLOCK];
+    case TR_PASS_TARGETS:
+        return see->lists[TR_I_UNITS_TARGETS];
+    case TR_PASS_BEHIND:
+        return see->lists[TR_I_UNITS_BEHIND];
+    case TR_PASS_YIELD:
+        return see->lists[TR_I_UNITS_MASKED];
+    case TR_PASS_HIDES:
+        return see->lists[TR_I_UNITS_BEFORE];
+    case TR_PASS_SCENE:
+        return see->lists[TR_I_UNITS_ALL];
+    default:
+        return 0;
+    }
+}
+
+static void tr_i_fill_see_block(tr_context *tr, const tr_dynamic *dynamic) {
+    const tr_i_see *see = &tr->see;
+    tr_i_see_block *block = &tr->see.block;
+    tr_i_block shading;
+    size_t i;
+    tr_i_fill_block(&tr->frame, tr->desc.zero_to_one, 1, &shading);
+    memset(block, 0, sizeof *block);
+    memcpy(block->light, shading.light, sizeof shading.light);
+    memcpy(block->cool, shading.cool, sizeof shading.cool);
+    memcpy(block->warm, shading.warm, sizeof shading.warm);
+    memcpy(block->viewport, shading.viewport, sizeof shading.viewport);
+    block->law[0] = see->law.target;
+    block->law[1] = see->law.start;
+    block->law[2] = see->law.width;
+    block->law[3] = (float)dynamic->light_count;
+    memcpy(block->background, dynamic->background, sizeof dynamic->background);
+    block->background[3] = dynamic->occluders == TR_OCCLUDERS_EACH ? 1.0f : 0.0f;
+    block->grid[0] = see->law.divisor;
+    block->grid[1] = see->grid.side;
+    block->grid[2] = (int32_t)(dynamic->frame_index & 0x7fffffffu);
+    block->grid[3] = see->law.reach;
+    for (i = 0; i < dynamic->light_count; ++i) {
+        const tr_light *light = &dynamic->lights[i];
+        block->lights[i][0] = light->x;
+        block->lights[i][1] = light->y;
+        block->lights[i][2] = light->radius;
+        block->lights[i][3] = light->edge;
+    }
+    for (i = 0; see->plan.see != TR_SEE_OFF && i < (size_t)see->grid.tile_count; ++i) {
+        const unsigned char *tile = see->grid.tiles[i];
+        block->tiles[i] = tile[0] | (uint32_t)tile[1] << 8 | (uint32_t)tile[2] << 16 | (uint32_t)tile[3] << 24;
+    }
+}
+
+/* 1 if something has to be created: never in a steady frame. */
+static int tr_i_see_lacks(const tr_context *tr) {
+    const tr_i_see *see = &tr->see;
+    uint32_t needs = tr_i_see_needs(&see->plan);
+    int i;
+    if (!see->buffer || !tr->vertex_array || (needs && tr_i_see_misfits(tr)) || tr_i_lacks_queries(see))
+        return 1;
+    for (i = 0; i < TR_I_SEE_TEXTURE_COUNT; ++i)
+        if (((needs >> i) & 1u) && !see->textures[i])
+            return 1;
+    for (i = 0; i < see->plan.pass_count; ++i) {
+        const tr_see_pass *pass = &see->plan.passes[i];
+        int fbo = tr_i_see_fbo_of(&see->plan, i);
+        int wanted = pass->kind != TR_PASS_SCENE || tr->desc.state == TR_STATE_NONE;
+        if ((fbo >= 0 && !see->fbos[fbo]) || (wanted && !tr->programs[tr_i_see_program(tr, pass)].name))
+            return 1;
+    }
+    return 0;
+}
+
+static void tr_i_make_see_buffer(tr_context *tr) {
+    tr_i_see *see = &tr->see;
+    if (see->buffer)
+        return;
+    tr->gl.GenBuffers(1, &see->buffer);
+    tr->gl.BindBuffer(TR_I_GL_COPY_WRITE_BUFFER, see->buffer);
+    tr->gl.BufferData(TR_I_GL_COPY_WRITE_BUFFER, (ptrdiff_t)sizeof see->block, 0, TR_I_GL_DYNAMIC_DRAW);
+    see->block_uploaded = 0;
+}
+
+/* The built-in programs of TR_PASS_SCENE are made by tr_set_material, as most hosts have their own; but hosts that apply
+   state themselves are told a program's name. */
+static tr_result tr_i_see_work(tr_context *tr) {
+    tr_i_see *see = &tr->see;
+    tr_result result = see->plan.see == TR_SEE_OFF ? TR_OK : tr_i_make_see_textures(tr);
+    int i;
+    if (result == TR_OK && tr_i_lacks_queries(see))
+        result = tr_i_make_queries(tr);
+    for (i = 0; i < see->plan.pass_count && result == TR_OK; ++i)
+        if (see->plan.passes[i].kind != TR_PASS_SCENE || tr->desc.state == TR_STATE_NONE)
+            result = tr_i_make_program(tr, tr_i_see_program(tr, &see->plan.passes[i]));
+    if (result != TR_OK)
+        return result;
+    if (!tr->vertex_array)
+        tr->gl.GenVertexArrays(1, &tr->vertex_array);
+    tr_i_make_see_buffer(tr);
+    return TR_OK;
+}
+
+/* Tiles change with the view, so that this is done in most frames. */
+static void tr_i_upload_see_block(tr_context *tr) {
+    tr_i_see *see = &tr->see;
+    int32_t bound = 0;
+    if (see->block_uploaded && memcmp(&see->block, &see->uploaded, sizeof see->block) == 0)
+        return;
+    tr->gl.GetIntegerv(TR_I_GL_COPY_WRITE_BUFFER_BINDING, &bound);
+    tr_i_make_see_buffer(tr);
+    tr->gl.BindBuffer(TR_I_GL_COPY_WRITE_BUFFER, see->buffer);
+    tr->gl.BufferSubData(TR_I_GL_COPY_WRITE_BUFFER, 0, (ptrdiff_t)sizeof see->block, &see->block);
+    tr->gl.BindBuffer(TR_I_GL_COPY_WRITE_BUFFER, (tr_i_u)bound);
+    see->uploaded = see->block;
+    see->block_uploaded = 1;
+}
+
+/* For tr_set_material in TR_PASS_SCENE, whose state is the host's: puts the built-in program to use, once a frame makes it
+   and what it reads ready. 0: there is none. */
+static int tr_i_use_in_scene(tr_context *tr, int rule) {
+    if (tr->desc.state == TR_STATE_NONE)
+        return 1;
+    if (tr_i_make_program(tr, rule) != TR_OK)
+        return 0;
+    if (!tr->see.in_use) {
+        tr_i_upload_see_block(tr);
+        tr->gl.BindBufferBase(TR_I_GL_UNIFORM_BUFFER, (tr_i_u)tr->desc.uniform_binding, tr->see.buffer);
+    }
+    tr->see.in_use = 1;
+    tr->gl.UseProgram(tr->programs[rule].name);
+    return 1;
+}
+
+/* That there is a target, and with TR_STATE_NONE nothing. */
+static tr_result tr_i_check_see_target(tr_context *tr) {
+    int32_t bound = 0;
+    int multisampled;
+    tr_result result;
+    if (tr->desc.state == TR_STATE_NONE)
+        return TR_OK;
+    tr->gl.GetIntegerv(TR_I_GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+    result = tr_i_check_target(tr, &multisampled);
+    tr->gl.BindFramebuffer(TR_I_GL_DRAW_FRAMEBUFFER, (tr_i_u)bound);
+    return result;
+}
+
+/* Everything that a frame needs. The state is as found afterwards: the scene may come first. */
+static tr_result tr_i_prepare_see(tr_context *tr) {
+    tr_result result;
+    int32_t pack = 0;
+    if (tr->see.plan.see == TR_SEE_OFF && tr->desc.state != TR_STATE_NONE)
+        return TR_OK;
+    result = tr_i_check_see_target(tr);
+    if (result == TR_OK && tr_i_see_lacks(tr)) {
+        tr_i_save(tr, &tr->saved);
+        tr->gl.GetIntegerv(TR_I_GL_PIXEL_PACK_BUFFER_BINDING, &pack);
+        result = tr_i_see_work(tr);
+        tr->gl.BindBuffer(TR_I_GL_PIXEL_PACK_BUFFER, (tr_i_u)pack);
+        tr_i_restore(tr, &tr->saved);
+    }
+    if (result == TR_OK)
+        tr_i_upload_see_block(tr);
+    return result;
+}
+
+/* Nothing is hidden in a frame without masks. */
+static void tr_i_forget_answers(tr_i_see *see) {
+    int i;
+    for (i = 0; i < TR_I_QUERY_RING; ++i)
+        see->queries[i].stale = 1;
+    if (see->answer)
+        memset(see->answer, 0, (TR_I_MAX_UNIT_ID + 1) * sizeof see->answer[0]);
+}
+
+TR_I_API tr_result tr_begin_dynamic(tr_context *tr, const tr_frame *frame, const tr_dynamic *dynamic) {
+    tr_frame used;
+    tr_result result;
+    if (!tr || !frame || !dynamic)
+        return TR_INVALID_ARGUMENT;
+    if (tr->in_frame)
+        return tr_i_fail(&tr->desc, TR_WRONG_ORDER, "tr_begin_dynamic");
+    used = tr_i_dynamic_frame(frame);
+    result = tr_i_check_dynamic(tr, &used, dynamic);
+    if (result == TR_OK)
+        result = tr_i_fit_units(tr, dynamic->unit_count);
+    if (result != TR_OK)
+        return result;
+    tr->frame = used;
+    tr_i_plan_see(&tr->see, dynamic, frame->width, frame->height);
+    tr_i_weigh_see(tr);
+    if (tr->see.plan.see == TR_SEE_OFF)
+        tr_i_forget_answers(&tr->see);
+    tr_i_fill_see_block(tr, dynamic);
+    tr->see.step = 0;
+    tr->see.active = 1;
+    tr->see.in_use = 0;
+    tr->see.entered = TR_I_OUTSIDE;
+    result = tr_i_prepare_see(tr);
+    tr->in_frame = result == TR_OK;
+    return result;
+}
+
+/* Textures that a pass reads, on units that hold two-dimensional ones. */
+static void tr_i_fill_see_textures(const tr_i_see *see, tr_pass_kind kind, tr_state *state) {
+    const tr_i_u *from = see->textures;
+    tr_i_u *depth = &state->textures[TR_I_SCENE_DEPTH], *mask = &state->textures[TR_I_OPAQUE_COLOR];
+    tr_i_u *third = &state->textures[TR_I_MARK], *fourth = &state->textures[TR_I_CROSSINGS];
+    switch (kind) {
+    case TR_PASS_SPREAD_X:
+    case TR_PASS_SPREAD_Y:
+    case TR_PASS_FINISH:
+        *depth = from[TR_I_SEE_DEPTH];
+        *mask = from[TR_I_SEE_MARK];
+        *third = kind == TR_PASS_SPREAD_X ? 0 : from[kind == TR_PASS_SPREAD_Y ? TR_I_SEE_ROWS : TR_I_SEE_LOW];
+        *fourth = kind == TR_PASS_FINISH ? from[TR_I_SEE_LOW_DEPTH] : 0;
+        break;
+    case TR_PASS_PRIME:
+        *mask = from[TR_I_SEE_MASK];
+        break;
+    case TR_PASS_QUERY:
+        *mask = from[TR_I_SEE_MARK];
+        break;
+    case TR_PASS_SCENE: /* with holes */
+    case TR_PASS_BEHIND:
+    case TR_PASS_HIDES:
+    case TR_PASS_COMPOSE_MASK:
+        *depth = from[TR_I_SEE_MASK_DEPTH];
+        *mask = from[TR_I_SEE_MASK];
+        if (kind == TR_PASS_COMPOSE_MASK) {
+            *third = from[TR_I_SEE_BEHIND];
+            *fourth = see->partial ? from[TR_I_SEE_YIELD] : 0;
+        }
+        break;
+    default:
+        break;
+    }
+}
+
+/* Viewport, and scissor to where masks are, of a framebuffer of ours. */
+static void tr_i_fill_see_extent(const tr_context *tr, int fbo, tr_state *state) {
+    const tr_i_see *see = &tr->see;
+    const int *box = see->plan.rectangle;
+    tr_i_see_format format;
+    int attached[2], across, up;
+    tr_i_see_attached(fbo, attached);
+    format = tr_i_see_format_of(attached[0], 0);
+    across = format.across == 0 ? 1 : format.across == 1 ? see->divisor : 4;
+    up = format.up == 0 ? 1 : format.up == 1 ? see->divisor : 4;
+    tr_i_see_size(&format, see->width, see->height, see->divisor, &state->viewport[2]);
+    /* A whole scene reads the mask wherever it draws; texels of queries are not aligned with cells. */
+    if ((fbo == TR_I_SEE_FBO_MASK && see->plan.see == TR_SEE_DITHER) || fbo == TR_I_SEE_FBO_QUERY)
+        return;
+    state->scissor[0] = box[0] / across;
+    state->scissor[1] = box[1] / up;
+    state->scissor[2] = (box[0] + box[2] + across - 1) / across - state->scissor[0];
+    state->scissor[3] = (box[1] + box[3] + up - 1) / up - state->scissor[1];
+}
+
+static void tr_i_fill_see_bindings(const tr_context *tr, int index, tr_state *state) {
+    const tr_i_see *see = &tr->see;
+    const tr_see_pass *pass = &see->plan.passes[index];
+    int fbo = tr_i_see_fbo_of(&see->plan, index), i;
+    state->framebuffer = fbo >= 0 ? see->fbos[fbo] : tr->frame.framebuffer;
+    if (fbo >= 0) {
+        tr_i_fill_see_extent(tr, fbo, state);
+    } else {
+        state->viewport[0] = tr->frame.x;
+        state->viewport[1] = tr->frame.y;
+        state->viewport[2] = tr->frame.width;
+        state->viewport[3] = tr->frame.height;
+    }
+    state->program = tr->programs[tr_i_see_program(tr, pass)].name;
+    state->first_texture_unit = tr->desc.first_texture_unit;
+    for (i = 0; i < TR_TEXTURE_UNITS; ++i)
+        state->texture_targets[i] = tr_i_targets[i];
+    if (pass->rule != TR_RULE_SEE_PLAIN || pass->kind != TR_PASS_SCENE)
+        tr_i_fill_see_textures(see, pass->kind, state);
+    state->uniform_buffer = see->buffer;
+    state->uniform_binding = tr->desc.uniform_binding;
+    state->uniform_size = (int)sizeof see->block;
+    state->srgb = (tr->frame.wishes.options & TR_WISH_SRGB) != 0;
+    if (!tr_i_see_is_drawn(pass->kind)) {
+        state->vertex_array = tr->vertex_array;
+        state->vertex_count = 6 * see->grid.tile_count;
+    }
+}
+
+static void tr_i_fill_see_tests(const tr_context *tr, int index, tr_state *state) {
+    const tr_see_pass *pass = &tr->see.plan.passes[index];
+    int reversed = tr->desc.reversed_z, drawn = tr_i_see_is_drawn(pass->kind);
+    state->depth_test = state->depth_write = state->color_write = 1;
+    state->depth_func = !drawn ? TR_I_GL_ALWAYS : reversed ? TR_I_GL_GREATER : TR_I_GL_LESS;
+    state->clear_depth_value = reversed ? 0.0f : 1.0f;
+    state->blend_source = state->blend_source_alpha = TR_I_GL_ONE;
+    state->cull_face = drawn ? TR_I_GL_BACK : 0;
+    state->front_face = tr->desc.front_face_cw ? TR_I_GL_CW : TR_I_GL_CCW;
+    switch (pass->kind) {
+    case TR_PASS_BLOCK:
+        state->color_write = 0;
+        state->clear_depth = 1;
+        break;
+    case TR_PASS_TARGETS: /* before what coincides with it */
+        state->depth_func = reversed ? TR_I_GL_GEQUAL : TR_I_GL_LEQUAL;
+        state->clear_depth = index == 0 || tr->see.plan.passes[index - 1].kind != TR_PASS_BLOCK;
+        state->clear_color = 1;
+        break;
+    case TR_PASS_SPREAD_X:
+        state->clear_color = 1;
+        state->depth_test = state->depth_write = 0;
+        break;
+    case TR_PASS_SPREAD_Y:
+    case TR_PASS_FINISH: /* no mask */
+        state->clear_color = 1;
+        state->clear_color_value[0] = 1.0f;
+        break;
+    case TR_PASS_PRIME: /* nothing is nearer */
+        state->clear_depth = 1;
+        state->clear_depth_value = reversed ? 1.0f : 0.0f;
+        break;
+    case TR_PASS_COMPOSE_MASK:
+        state->depth_func = reversed ? TR_I_GL_LESS : TR_I_GL_GREATER;
+        state->depth_write = 0;
+        state->blend = 1;
+        state->blend_source = TR_I_GL_SRC_ALPHA;
+        state->blend_destination = TR_I_GL_ONE_MINUS_SRC_ALPHA;
+        state->blend_source_alpha = TR_I_GL_ZERO;
+        state->blend_destination_alpha = TR_I_GL_ONE;
+        break;
+    case TR_PASS_QUERY:
+    case TR_PASS_HIDES:
+        state->clear_color = pass->kind == TR_PASS_QUERY;
+        state->depth_test = state->depth_write = 0;
+        state->blend = pass->kind == TR_PASS_HIDES; /* added to the id that is there */
+        state->blend_destination = state->blend_destination_alpha = TR_I_GL_ONE;
+        break;
+    default:
+        break;
+    }
+}
+
+/* Before the host draws its scene after passes of ours: its own state, but for what the scene's shaders read. */
+static void tr_i_leave_to_host(tr_context *tr, const tr_state *state) {
+    tr_i_snapshot saved = tr->saved;
+    int32_t active = 0, buffer = 0;
+    if (tr->desc.state == TR_STATE_LEAVE_DEFAULTS)
+        tr_i_save_defaults(&saved);
+    if (tr->desc.state != TR_STATE_LEAVE_DIRTY)
+        tr_i_restore(tr, &saved);
+    tr->gl.GetIntegerv(TR_I_GL_ACTIVE_TEXTURE, &active);
+    tr->gl.GetIntegerv(TR_I_GL_UNIFORM_BUFFER_BINDING, &buffer);
+    tr_i_bind_textures(tr, state);
+    tr->gl.BindBufferRange(TR_I_GL_UNIFORM_BUFFER, (tr_i_u)state->uniform_binding, state->uniform_buffer,
+                           state->uniform_offset, state->uniform_size);
+    tr->gl.BindBuffer(TR_I_GL_UNIFORM_BUFFER, (tr_i_u)buffer);
+    tr->gl.ActiveTexture((tr_i_u)active);
+}
+
+/* After it: only that is put back. What the host has set since is its own. */
+static void tr_i_take_from_host(tr_context *tr) {
+    tr_i_snapshot now;
+    if (tr->desc.state == TR_STATE_LEAVE_DIRTY)
+        return;
+    if (tr->desc.state == TR_STATE_LEAVE_DEFAULTS)
+        tr_i_save_defaults(&tr->saved);
+    tr_i_save_bindings(tr, &now);
+    memcpy(now.textures, tr->saved.textures, sizeof now.textures);
+    memcpy(now.samplers, tr->saved.samplers, sizeof now.samplers);
+    now.indexed_buffer = tr->saved.indexed_buffer;
+    now.indexed_start = tr->saved.indexed_start;
+    now.indexed_size = tr->saved.indexed_size;
+    tr_i_restore_bindings(tr, &now);
+}
+
+/* Sets the state of a pass; the scene's is the host's own. */
+static void tr_i_apply_see(tr_context *tr, const tr_pass *pass) {
+    tr_i_see *see = &tr->see;
+    if (tr->desc.state == TR_STATE_NONE)
+        return;
+    if (pass->kind == TR_PASS_SCENE) {
+        if (see->entered == TR_I_INSIDE) {
+            tr_i_leave_to_host(tr, &pass->state);
+            see->entered = TR_I_LENT;
+        }
+        return;
+    }
+    if (see->entered == TR_I_OUTSIDE)
+        tr_i_save(tr, &tr->saved);
+    see->entered = TR_I_INSIDE;
+    tr_i_apply(tr, &pass->state);
+}
+
+static int tr_i_next_see_pass(tr_context *tr, tr_pass *pass) {
+    tr_i_see *see = &tr->see;
+    while (see->step < see->plan.pass_count) {
+        int index = see->step++;
+        const tr_see_pass *planned = &see->plan.passes[index];
+        memset(pass, 0, sizeof *pass);
+        pass->kind = planned->kind;
+        pass->rule = planned->rule;
+        pass->name = tr_pass_kind_name(planned->kind);
+        pass->units = tr_i_see_units(see, planned->kind);
+        pass->unit_count = planned->unit_count;
+        tr_i_fill_see_bindings(tr, index, &pass->state);
+        tr_i_fill_see_tests(tr, index, &pass->state);
+        tr_i_apply_see(tr, pass);
+        if (tr->desc.state == TR_STATE_NONE || pass->state.vertex_count == 0)
+            return 1;
+        tr_i_draw_triangle(tr, &pass->state);
+    }
+    return 0;
+}
+
+/* ---- dynamic transparency: what is hidden ----------------------------------------------------------------------- */
+
+/* Starts to copy the answer of this frame to where it can be read when it is there. Nothing where all buffers of the ring
+   are under way: then a later frame answers. */
+static void tr_i_ask(tr_context *tr) {
+    static const tr_i_u names[4] = {0x0D05u, 0x0D02u, 0x0D03u, 0x0D04u}; /* GL_PACK_ALIGNMENT, ROW_LENGTH, SKIP_* */
+    const tr_i_gl *gl = &tr->gl;
+    tr_i_see *see = &tr->see;
+    tr_i_query *query = &see->queries[see->next_query];
+    tr_i_see_format format = tr_i_see_format_of(TR_I_SEE_QUERY, 0);
+    int32_t pack[4], bound[2] = {0, 0};
+    int size[2], i;
+    if (query->fence)
+        return;
+    tr_i_see_size(&format, see->width, see->height, see->divisor, size);
+    gl->GetIntegerv(TR_I_GL_PIXEL_PACK_BUFFER_BINDING, &bound[0]);
+    gl->GetIntegerv(TR_I_GL_READ_FRAMEBUFFER_BINDING, &bound[1]);
+    for (i = 0; i < 4; ++i) {
+        gl->GetIntegerv(names[i], &pack[i]);
+        gl->PixelStorei(names[i], i == 0 ? 4 : 0);
+    }
+    gl->BindFramebuffer(TR_I_GL_READ_FRAMEBUFFER, see->fbos[TR_I_SEE_FBO_QUERY]);
+    gl->BindBuffer(TR_I_GL_PIXEL_PACK_BUFFER, query->buffer);
+    gl->ReadPixels(0, 0, size[0], size[1], TR_I_GL_RGBA, TR_I_GL_UNSIGNED_BYTE, 0);
+    query->fence = gl->FenceSync(TR_I_GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+    query->texels = (size_t)size[0] * (size_t)size[1];
+    query->stale = 0;
+    for (i = 0; i < 4; ++i)
+        gl->PixelStorei(names[i], pack[i]);
+    gl->BindFramebuffer(TR_I_GL_READ_FRAMEBUFFER, (tr_i_u)bound[1]);
+    gl->BindBuffer(TR_I_GL_PIXEL_PACK_BUFFER, (tr_i_u)bound[0]);
+    see->next_query = (see->next_query + 1) % TR_I_QUERY_RING;
+}
+
+/* Counts texels by id. */
+static void tr_i_count_texels(tr_i_see *see, const unsigned char *texels, size_t count) {
+    size_t i;
+    memset(see->answer, 0, (TR_I_MAX_UNIT_ID + 1) * sizeof see->answer[0]);
+    for (i = 0; i < count; ++i) {
+        const unsigned char *texel = texels + 4 * i;
+        tr_i_answer *answer = &see->answer[texel[0] | (unsigned)texel[1] << 8];
+        ++answer->texels;
+        answer->hidden += texel[2] != 0;
+    }
+}
+
+/* Takes what has arrived, oldest first; the last of it stays. */
+static void tr_i_take_answers(tr_context *tr) {
+    const tr_i_gl *gl = &tr->gl;
+    int i;
+    for (i = 0; i < TR_I_QUERY_RING; ++i) {
+        tr_i_query *query = &tr->see.queries[(tr->see.next_query + i) % TR_I_QUERY_RING];
+        const void *texels;
+        int32_t bound = 0;
+        tr_i_u status;
+        if (!query->fence)
+            continue;
+        status = gl->ClientWaitSync(query->fence, TR_I_GL_SYNC_FLUSH_COMMANDS_BIT, 0);
+        if (status != TR_I_GL_ALREADY_SIGNALED && status != TR_I_GL_CONDITION_SATISFIED)
+            return;
+        gl->DeleteSync(query->fence);
+        query->fence = 0;
+        gl->GetIntegerv(TR_I_GL_PIXEL_PACK_BUFFER_BINDING, &bound);
+        gl->BindBuffer(TR_I_GL_PIXEL_PACK_BUFFER, query->buffer);
+        texels = gl->MapBufferRange(TR_I_GL_PIXEL_PACK_BUFFER, 0, (ptrdiff_t)(4 * query->texels), TR_I_GL_MAP_READ_BIT);
+        if (texels && !query->stale)
+            tr_i_count_texels(&tr->see, (const unsigned char *)texels, query->texels);
+        if (texels)
+            gl->UnmapBuffer(TR_I_GL_PIXEL_PACK_BUFFER);
+        gl->BindBuffer(TR_I_GL_PIXEL_PACK_BUFFER, (tr_i_u)bound);
+    }
+}
+
+TR_I_API tr_result tr_query_hidden(tr_context *tr, tr_hidden *out, size_t capacity, size_t *count) {
+    uint32_t id;
+    if (!tr || !count || (capacity && !out))
+        return TR_INVALID_ARGUMENT;
+    *count = 0;
+    if (!tr->see.answer)
+        return TR_OK;
+    tr_i_take_answers(tr);
+    for (id = 1; id <= TR_I_MAX_UNIT_ID; ++id) {
+        const tr_i_answer *answer = &tr->see.answer[id];
+        if (answer->texels == 0)
+            continue;
+        if (*count < capacity) {
+            out[*count].id = id;
+            out[*count].pixels = 16 * answer->texels;
+            out[*count].hidden = 16 * answer->hidden;
+        }
+        ++*count;
+    }
+    return TR_OK;
+}
+
+/* Whether the frame has come to what a query asks. */
+static int tr_i_has_asked(const tr_i_see *see) {
+    int i;
+    for (i = 0; i < see->step; ++i)
+        if (see->plan.passes[i].kind == TR_PASS_HIDES)
+            return 1;
+    return 0;
+}
+
+/* Ends a frame of dynamic transparency. */
+static void tr_i_end_see(tr_context *tr) {
+    if (tr_i_has_asked(&tr->see))
+        tr_i_ask(tr);
+    if (tr->see.entered == TR_I_LENT)
+        tr_i_take_from_host(tr);
+    if (tr->see.entered != TR_I_INSIDE || tr->desc.state == TR_STATE_LEAVE_DIRTY)
+        return;
+    if (tr->desc.state == TR_STATE_LEAVE_DEFAULTS)
+        tr_i_save_defaults(&tr->saved);
+    tr_i_restore(tr, &tr->saved);
+}
+
 TR_I_API int tr_next_pass(tr_context *tr, tr_pass *pass) {
     if (!tr || !pass || !tr->in_frame)
         return 0;
+    if (tr->see.active)
+        return tr_i_next_see_pass(tr, pass);
     while (tr->next_pass < tr->plan.pass_count) {
         const tr_plan_pass *plan = &tr->plan.passes[tr->next_pass++];
         memset(pass, 0, sizeof *pass);
@@ -4813,10 +7070,12 @@ static void tr_i_set_edge_uniforms(const tr_context *tr, const tr_i_program *pro
 TR_I_API void tr_set_material(tr_context *tr, const tr_pass *pass, const tr_material *material) {
     const tr_i_program *program;
     const tr_i_gl *gl;
-    if (!tr || !pass || !material || (unsigned)pass->rule >= (unsigned)TR_RULE_COUNT || pass->lines)
+    if (!tr || !pass || !material || (unsigned)pass->rule >= (unsigned)TR_RULE_SEE_END || pass->lines)
         return;
     gl = &tr->gl;
     program = &tr->programs[tr_i_surface_program(tr, (int)pass->rule)];
+    if (pass->kind == TR_PASS_SCENE && !tr_i_use_in_scene(tr, (int)pass->rule))
+        return;
     gl->UniformMatrix4fv(program->model_view_projection, 1, 0, material->model_view_projection);
     if (program->normal_matrix >= 0)
         gl->UniformMatrix3fv(program->normal_matrix, 1, 0, material->normal_matrix);
@@ -4963,6 +7222,10 @@ TR_I_API tr_result tr_end(tr_context *tr) {
     if (!tr->in_frame)
         return tr_i_fail(&tr->desc, TR_WRONG_ORDER, "tr_end");
     tr->in_frame = 0;
+    if (tr->see.active) {
+        tr_i_end_see(tr);
+        return TR_OK;
+    }
     if (tr->plan.pass_count == 0)
         return TR_OK;
     if (tr->desc.state == TR_STATE_RESTORE) {

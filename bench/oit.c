@@ -382,6 +382,10 @@ int main(int argc, char **argv) {
         {.name = "bucketed_8",
          .draw = draw_oit,
          .desc = {.store = OIT_STORE_BUCKETED, .fields = OIT_FIELD_PART, .layers = 8, .bucket_depth_bits = 16}},
+        {.name = "predict", .draw = draw_oit, .desc = {.store = OIT_STORE_PREDICT}},
+        {.name = "predict_async", .draw = draw_oit, .desc = {.store = OIT_STORE_PREDICT, .fit = OIT_FIT_ASYNC}},
+        {.name = "linked", .draw = draw_oit, .desc = {.store = OIT_STORE_LINKED}},
+        {.name = "linked_async", .draw = draw_oit, .desc = {.store = OIT_STORE_LINKED, .fit = OIT_FIT_ASYNC}},
         {.name = "peel", .draw = draw_peel},
         {.name = "dual", .draw = draw_dual},
         {.name = "weighted", .draw = draw_weighted}};

@@ -18,11 +18,11 @@ void main()
             continue;
 #endif
         oit_pixel[OIT_WANTED(p)] = 0u;
-#if OIT_KEEPS
-        oit_pixel[OIT_LIMIT(p)] = OIT_NONE;
+#if OIT_HAS_COVERAGE
+        oit_pixel[OIT_EDGE(p)] = 0u;
 #endif
 #if OIT_TAIL_WORDS == 6
-        for (uint c = 0u; c < uint(OIT_TAIL_WORDS); ++c)
+        for (uint c = 0u; c < 6u; ++c)
             oit_pixel[OIT_TAIL(p) + c] = 0u;
 #endif
     }
@@ -30,9 +30,19 @@ void main()
     uint each = OIT_LAYERS + 1u, end = min((block + 1u) * OIT_BLOCK, oit_pool.x) * each;
     for (uint i = block * OIT_BLOCK * each + gl_LocalInvocationID.x; i < end; i += 128u)
         oit_pixel[OIT_KEY(0u, i)] = OIT_NONE;
+    for (uint i = 0u; i < 8u; ++i) {
+        uint p = first + 128u * i;
+        if (p >= oit_pool.x)
+            break;
+        oit_pixel[OIT_LIMIT(p)] = OIT_NONE;
+    }
 #endif
-    if (oit_step.x != 0u && first < OIT_HEADER && !OIT_AGAIN)
-        oit_pixel[first] = 0u;
+#if OIT_STORE == OIT_LINKED
     if (first == OIT_TAKEN)
+        oit_pixel[first] = 0u;
+    if (OIT_AGAIN)
+        return;
+#endif
+    if (oit_step.x != 0u && first < OIT_HEADER)
         oit_pixel[first] = 0u;
 }

@@ -1,5 +1,7 @@
 // For: oit_buffers.h
-// The colour of a record, from the words that hold it.
+// Colour and coverage of a record, from the words that hold them.
+#define OIT_COVERAGE_OF(word) ((word) >> uint(OIT_COVERAGE_SHIFT))
+
 vec4 oit_unpack_color(uvec4 w)
 {
 #if OIT_COLOR == OIT_COLOR_8

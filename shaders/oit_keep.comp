@@ -33,7 +33,7 @@ void oit_keep_nearest(uint p)
     atomicAdd(oit_all[2], kept < count ? 1u : 0u);
     atomicAdd(oit_all[3], count - kept);
     if (kept > 0u)
-        atomicAdd(oit_classes[oit_class(kept)], 1u);
+        atomicAdd(oit_classes[kept <= 8u ? 0u : min(uint(findMSB(kept - 1u)) - 2u, 4u)], 1u);
 }
 
 void main()

@@ -24,6 +24,9 @@ void main()
         uint p = first + 128u * i;
         if (p >= oit_pool.x)
             continue;
+#if OIT_HAS_COVERAGE
+        oit_pixel[OIT_EDGE(p)] = 0u;
+#endif
 #if OIT_ASYNC
         if (oit_pixel[OIT_LEFT(p)] >= OIT_UNFIT >> 1u) // less than none left, or unfit
             for (uint c = 0u; c < uint(OIT_TAIL_WORDS); ++c)

@@ -1,9 +1,14 @@
 // For: oit_buffers.h
 // Records read back: the order of two, colour, how it is laid over what is behind.
-#if !defined(OIT_SETTLES) && !defined(OIT_ARRANGES)
-layout(std430, binding = OIT_BINDING_PIXELS) readonly buffer oit_pixels { uint oit_pixel[]; };
-#elif defined(OIT_ARRANGES)
+#ifndef OIT_SETTLES
+#ifdef OIT_ARRANGES
 layout(std430, binding = OIT_BINDING_PIXELS) buffer oit_pixels { uint oit_pixel[]; };
+#else
+layout(std430, binding = OIT_BINDING_PIXELS) readonly buffer oit_pixels { uint oit_pixel[]; };
+#endif
+#endif
+#ifndef OIT_BINDING_RECORDS
+#define OIT_BINDING_RECORDS OIT_BINDING_FRAGMENTS
 #endif
 layout(std430, binding = OIT_BINDING_RECORDS) readonly buffer oit_fragments { OIT_VECTOR oit_data[]; };
 
@@ -28,31 +33,66 @@ uint oit_record_depth(uint at)
     return oit_data[at].x;
 }
 
-// The words of the colour; of one vector where they lie in one, which some drivers load much faster.
-uvec4 oit_record_words(uint at)
+// The words by which records are sorted and composed: the first OIT_SORTED of them, depth to colour and blend, in two
+// vectors; zeros after them. What a record carries beyond cannot be seen in the picture.
+#define OIT_SORTED_WORD(i) ((i) < 4 ? r[(i) & 3] : q[(i) & 3])
+void oit_load(uint at, out uvec4 r, out uvec4 q)
 {
-#if OIT_COLOR != OIT_COLOR_FLOAT && OIT_LANES == 4 && OIT_AT_COLOR < 3
-    uvec4 w = oit_data[at];
-    return uvec4(w[OIT_AT_COLOR], w[OIT_AT_COLOR + 1], 0u, 0u);
-#elif OIT_COLOR != OIT_COLOR_FLOAT
-    return uvec4(OIT_WORD(at, OIT_AT_COLOR), OIT_WORD(at, OIT_AT_COLOR + 1), 0u, 0u);
-#else
-    return uvec4(OIT_WORD(at, OIT_AT_COLOR), OIT_WORD(at, OIT_AT_COLOR + 1), OIT_WORD(at, OIT_AT_COLOR + 2),
-                 OIT_WORD(at, OIT_AT_COLOR + 3));
+    q = uvec4(0u);
+#if OIT_LANES == 4
+    r = oit_data[at];
+#if OIT_SORTED > 4
+    q = oit_data[at + 1u];
 #endif
+#else
+    r = uvec4(oit_data[at], oit_data[at + 1u]);
+#if OIT_SORTED > 4
+    q.xy = oit_data[at + 2u];
+#endif
+#if OIT_SORTED > 6
+    q.zw = oit_data[at + 3u];
+#endif
+#endif
+#if OIT_SORTED < 4
+    r.w = 0u;
+#endif
+#if OIT_SORTED < 6
+    q.y = 0u;
+#endif
+#if OIT_SORTED < 7
+    q.z = 0u;
+#endif
+#if OIT_SORTED < 8
+    q.w = 0u;
+#endif
+}
+
+uvec4 oit_color_words(uvec4 r, uvec4 q)
+{
+    uvec4 w = uvec4(OIT_SORTED_WORD(OIT_AT_COLOR), OIT_SORTED_WORD(OIT_AT_COLOR + 1), 0u, 0u);
+#if OIT_COLOR == OIT_COLOR_FLOAT
+    w.z = OIT_SORTED_WORD(OIT_AT_COLOR + 2);
+    w.w = OIT_SORTED_WORD(OIT_AT_COLOR + 3);
+#endif
+    return w;
 }
 
 #if defined(OIT_SETTLES) && OIT_ASYNC
 // What the record adds to the tail.
 vec4 oit_record_amounts(uint at)
 {
-    uvec4 words = oit_record_words(at);
+    uvec4 r, q;
+    uint blend = 0u, covered = 0u;
+    oit_load(at, r, q);
+    uvec4 words = oit_color_words(r, q);
 #if OIT_HAS_BLEND && OIT_COLOR == OIT_COLOR_8
-    return oit_tail_amounts(oit_unpack_color(words), words.x >> 30u);
+    blend = words.x >> 30u;
 #elif OIT_HAS_BLEND
-    return oit_tail_amounts(oit_unpack_color(words), OIT_WORD(at, OIT_AT_BLEND));
-#else
-    return oit_tail_amounts(oit_unpack_color(words), 0u);
+    blend = OIT_SORTED_WORD(OIT_AT_BLEND) & 255u;
 #endif
+#if OIT_HAS_COVERAGE
+    covered = OIT_COVERAGE_OF(OIT_SORTED_WORD(OIT_AT_COVERAGE));
+#endif
+    return oit_tail_amounts(oit_unpack_color(words), blend, covered);
 }
 #endif

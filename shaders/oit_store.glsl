@@ -3,6 +3,9 @@
 // one record of OIT_VECTORS vectors into the pixel's run. Records are written so that their words, compared one after the
 // other, give the order in which they are composed: depth, part, key, and all else for fragments that tie.
 layout(early_fragment_tests) in;
+#if OIT_HAS_COVERAGE && OIT_POST_DEPTH
+layout(post_depth_coverage) in;
+#endif
 #if OIT_PASS == OIT_FILL
 layout(std430, binding = OIT_BINDING_FRAGMENTS) writeonly buffer oit_fragments { OIT_VECTOR oit_data[]; };
 #endif
@@ -46,10 +49,52 @@ vec4 oit_finite(vec4 color)
     return vec4(c, clamp(oit_finite(color.a), 0.0, 1.0));
 }
 
+#if OIT_HAS_COVERAGE
+// The samples that the fragment covers and that lie before the host's opaque things. Where the driver knows coverage only
+// from before the depth test, and where the host wants it, each sample is a fragment of its own.
+uint oit_coverage()
+{
+#if OIT_POST_DEPTH
+    return uint(gl_SampleMaskIn[0]);
+#else
+    return 1u << uint(gl_SampleID);
+#endif
+}
+
+#if OIT_POST_DEPTH
+// The middle of the pixel may lie beyond the edge of the triangle, where the planes of a body's front and back have crossed
+// already: the depth is that at the middle of the samples that are covered. Derivatives are taken where control flow is
+// uniform, before whatever the host's main does; ES has no such place.
+#if OIT_ES
+#define OIT_SLOPE vec2(dFdx(gl_FragCoord.z), dFdy(gl_FragCoord.z))
+#else
+vec2 oit_slope = vec2(dFdx(gl_FragCoord.z), dFdy(gl_FragCoord.z));
+#define OIT_SLOPE oit_slope
+#endif
+
+float oit_depth()
+{
+    vec2 slope = OIT_SLOPE, sum = vec2(0.0);
+    uint covered = oit_coverage();
+    if (covered == oit_samples.x)
+        return gl_FragCoord.z;
+    for (uint i = 0u; i < 8u; ++i) {
+        vec4 two = oit_positions[i >> 1u];
+        sum += (covered >> i & 1u) != 0u ? ((i & 1u) != 0u ? two.zw : two.xy) : vec2(0.0);
+    }
+    return clamp(gl_FragCoord.z + dot(slope, sum / float(max(bitCount(covered), 1))), 0.0, 1.0);
+}
+#else
+#define oit_depth() gl_FragCoord.z
+#endif
+#else
+#define oit_depth() gl_FragCoord.z
+#endif
+
 // Ascends from the eye on, in either convention. A depth of -0.0 is 0.0.
 uint oit_depth_bits()
 {
-    uint bits = floatBitsToUint(gl_FragCoord.z);
+    uint bits = floatBitsToUint(oit_depth());
     bits = bits > 0x7fffffffu ? 0u : bits;
 #if OIT_REVERSED_Z
     bits = 0x7fffffffu - bits;
@@ -150,7 +195,7 @@ void oit_pack(oit_fragment f, out uint w[OIT_VECTORS * OIT_LANES])
         w[OIT_AT_COLOR + i] = floatBitsToUint(color[i]);
 #endif
 #if OIT_HAS_BLEND && OIT_COLOR != OIT_COLOR_8
-    w[OIT_AT_BLEND] = f.blend;
+    w[OIT_AT_BLEND] = f.blend & 255u;
 #endif
 #if OIT_HAS_NORMAL
     w[OIT_AT_NORMAL] = oit_pack_normal(f.normal);
@@ -158,6 +203,9 @@ void oit_pack(oit_fragment f, out uint w[OIT_VECTORS * OIT_LANES])
 #if OIT_HAS_UV
     w[OIT_AT_UV] = floatBitsToUint(f.uv.x);
     w[OIT_AT_UV + 1] = floatBitsToUint(f.uv.y);
+#endif
+#if OIT_HAS_COVERAGE
+    w[OIT_AT_COVERAGE] |= oit_coverage() << uint(OIT_COVERAGE_SHIFT);
 #endif
 #if OIT_HOST_WORDS > 0
     for (int i = 0; i < OIT_HOST_WORDS; ++i)
@@ -175,46 +223,45 @@ void oit_write(uint at, uint w[OIT_VECTORS * OIT_LANES])
 #endif
 }
 
-#if OIT_ASYNC && OIT_TAIL_WORDS == 4
-// Bits are shared out by the count of the pixel, so that no sum overflows: less than 64 a fragment.
+#if OIT_ASYNC || OIT_KEEPS
+#if OIT_HAS_COVERAGE
+#define OIT_COVERED_NOW oit_coverage()
+#else
+#define OIT_COVERED_NOW 0u
+#endif
+#if OIT_HAS_BLEND
+#define OIT_BLEND_OF(f) f.blend
+#else
+#define OIT_BLEND_OF(f) OIT_BLEND_OVER
+#endif
+
+#if OIT_KEEPS
+void oit_to_tail(uint p, oit_fragment f)
+{
+    oit_add_to_tail(p, oit_tail_amounts(oit_finite(f.color), OIT_BLEND_OF(f), OIT_COVERED_NOW));
+}
+#elif OIT_TAIL_WORDS == 6
+// With the colour as it would be read back: what is stored of the same pixel is added by others from there.
+void oit_to_tail(uint p, oit_fragment f, uint w[OIT_VECTORS * OIT_LANES])
+{
+    uvec4 words = uvec4(w[OIT_AT_COLOR], w[OIT_AT_COLOR + 1], 0u, 0u);
+#if OIT_COLOR == OIT_COLOR_FLOAT
+    words.zw = uvec2(w[OIT_AT_COLOR + 2], w[OIT_AT_COLOR + 3]);
+#endif
+    oit_add_to_tail(p, oit_tail_amounts(oit_unpack_color(words), OIT_BLEND_OF(f), OIT_COVERED_NOW));
+}
+#else
+// Bits are shared out by the count of the pixel, so that no sum overflows.
 void oit_to_tail(uint p, uint count, oit_fragment f)
 {
     float scale = exp2(float(26 - findMSB(count) - 1));
-#if OIT_HAS_BLEND
-    vec4 amounts = oit_tail_amounts(oit_finite(f.color), f.blend);
-#else
-    vec4 amounts = oit_tail_amounts(oit_finite(f.color), OIT_BLEND_OVER);
-#endif
-    uvec4 parts = uvec4(amounts * scale + 0.5);
+    uvec4 parts = uvec4(oit_tail_amounts(oit_finite(f.color), OIT_BLEND_OF(f), OIT_COVERED_NOW) * scale + 0.5);
     atomicAdd(oit_pixel[OIT_TAIL(p)], parts.r);
     atomicAdd(oit_pixel[OIT_TAIL(p) + 1u], parts.g);
     atomicAdd(oit_pixel[OIT_TAIL(p) + 2u], parts.b);
     atomicAdd(oit_pixel[OIT_TAIL(p) + 3u], parts.a);
 }
-#elif OIT_KEEPS
-void oit_to_tail(uint p, oit_fragment f)
-{
-#if OIT_HAS_BLEND
-    oit_add_to_tail(p, oit_tail_amounts(oit_finite(f.color), f.blend));
-#else
-    oit_add_to_tail(p, oit_tail_amounts(oit_finite(f.color), OIT_BLEND_OVER));
 #endif
-}
-#elif OIT_ASYNC
-// With the colour as it would be read back: what is stored of the same pixel is added by others from there.
-void oit_to_tail(uint p, oit_fragment f, uint w[OIT_VECTORS * OIT_LANES])
-{
-#if OIT_COLOR == OIT_COLOR_FLOAT
-    vec4 color = oit_unpack_color(uvec4(w[OIT_AT_COLOR], w[OIT_AT_COLOR + 1], w[OIT_AT_COLOR + 2], w[OIT_AT_COLOR + 3]));
-#else
-    vec4 color = oit_unpack_color(uvec4(w[OIT_AT_COLOR], w[OIT_AT_COLOR + 1], 0u, 0u));
-#endif
-#if OIT_HAS_BLEND
-    oit_add_to_tail(p, oit_tail_amounts(color, f.blend));
-#else
-    oit_add_to_tail(p, oit_tail_amounts(color, OIT_BLEND_OVER));
-#endif
-}
 #endif
 #endif
 
@@ -239,6 +286,10 @@ void oit_insert(uint p, oit_fragment f)
 void oit_store(oit_fragment f)
 {
     uint p = oit_pixel_index();
+#if OIT_HAS_COVERAGE
+    if (oit_coverage() != oit_samples.x)
+        oit_pixel[OIT_EDGE(p)] = 1u;
+#endif
 #if OIT_KEEPS && OIT_PASS == OIT_COUNT
     oit_select(p, oit_key(f));
 #elif OIT_PASS == OIT_COUNT
@@ -251,7 +302,7 @@ void oit_store(oit_fragment f)
     }
 #endif
     uint left = atomicAdd(oit_pixel[OIT_LEFT(p)], OIT_STORE == OIT_LINKED && OIT_DIRECT ? 1u : 0xffffffffu);
-#if OIT_ASYNC && OIT_STORE != OIT_PREDICT
+#if OIT_ASYNC && (OIT_STORE == OIT_EXACT || OIT_STORE == OIT_LINKED)
     if (left >> 30u == 1u) { // OIT_UNFIT, and not what wraps below 0
         if (left == OIT_UNFIT) {
             atomicAdd(oit_pixel[OIT_EXTRA], 1u);

@@ -12,20 +12,27 @@ void main()
     ivec2 where = ivec2(gl_FragCoord.xy) - oit_area.xy;
     uint p = uint(where.y) * uint(oit_area.z) + uint(where.x);
     uint start = oit_pixel[OIT_START(p)], end = oit_pixel[OIT_START(p + 1u)];
-#if OIT_STORE == OIT_PREDICT
-    int left = OIT_TRUE_LEFT(oit_pixel[OIT_LEFT(p)]);
-    if ((end <= oit_pool.z && left >= 0) || int(end - start) == left)
-        discard;
-#elif OIT_KEEPS
+#if OIT_KEEPS
     // Where some fragments are kept, the tail is laid behind them with the run.
     start += uint(max(int(oit_pixel[OIT_LEFT(p)]), 0));
     if (end != start || oit_pixel[OIT_LIMIT(p)] == OIT_NONE)
         discard;
+    vec4 sums = oit_tail_sums(p);
+#elif OIT_STORE == OIT_PREDICT
+    int left = OIT_TRUE_LEFT(oit_pixel[OIT_LEFT(p)]);
+    if ((end <= oit_pool.z && left >= 0) || int(end - start) == left)
+        discard;
+    vec4 sums = oit_tail_sums(p);
 #else
     if (end <= oit_pool.z || end == start)
         discard;
+#if OIT_TAIL_WORDS == 6
+    vec4 sums = oit_tail_sums(p);
+#else
+    vec4 sums = oit_tail_sums(p, end - start);
 #endif
-    vec4 tail = oit_tail_light(oit_tail_sums(p, end - start));
+#endif
+    vec4 tail = oit_tail_light(sums);
     vec3 sum = tail.rgb;
     float through = tail.a;
 #if OIT_MODE == OIT_MODE_DUAL

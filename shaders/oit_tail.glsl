@@ -1,20 +1,20 @@
 // For: oit_buffers.h
 // The pixel buffer, and what a fragment adds to the tail: sums that do not depend on the order, in integers so that rounding
 // does not either. The layers of a pixel are taken as mixed evenly: optical depths add, colours are weighted by them.
-#if OIT_KEEPS
-#if OIT_PASS == OIT_COUNT // fragments of a pixel look at each other's keys
+#if OIT_KEEPS && OIT_PASS == OIT_COUNT
 layout(std430, binding = OIT_BINDING_PIXELS) coherent buffer oit_pixels { uint oit_pixel[]; };
-#define OIT_IS_COHERENT
-#endif
-#endif
-#ifndef OIT_IS_COHERENT
+#else
 layout(std430, binding = OIT_BINDING_PIXELS) buffer oit_pixels { uint oit_pixel[]; };
 #endif
 
-#if OIT_TAIL_WORDS > 0
-// Light and optical depth of one fragment, below 64 each. By one chain of roundings, whichever shader asks.
-vec4 oit_tail_amounts(vec4 color, uint blend)
+#if OIT_ASYNC || OIT_KEEPS
+// Light and optical depth of one fragment: colours up to 4 and optical depths up to 11 make less than 64 each. By one chain of
+// roundings, whichever shader asks.
+vec4 oit_tail_amounts(vec4 color, uint blend, uint covered)
 {
+#if OIT_HAS_COVERAGE // the tail knows no samples: a fragment is as much thinner as it covers less of the pixel
+    color *= vec4(vec3(OIT_PREMULTIPLIED == 1 ? OIT_SHARE(covered) : 1.0), OIT_SHARE(covered));
+#endif
     OIT_PRECISE float thickness = min(-log(1.0 - min(color.a, 0.999999)), 11.0);
     vec3 c = clamp(color.rgb, 0.0, 4.0);
 #if OIT_PREMULTIPLIED
@@ -38,14 +38,14 @@ vec4 oit_tail_amounts(vec4 color, uint blend)
 }
 
 #if OIT_TAIL_WORDS == 6
-// Where the count is not known before: units of 2^-26, cut off and not rounded, so that there is no addition that a
-// compiler could contract; what overflows 32 bits is counted, in 16 bits for each of the four.
+// Where the count is not known before. In units of 2^-26, with 16 more bits by carries: how many there are follows from the
+// sum alone. A fragment makes less than one, so that 65,535 fragments do not overflow.
 void oit_add_to_tail(uint p, vec4 amounts)
 {
-    uvec4 parts = uvec4(amounts * 67108864.0);
+    uvec4 parts = uvec4(amounts * 67108864.0 + 0.5);
     for (uint c = 0u; c < 4u; ++c) {
         uint before = atomicAdd(oit_pixel[OIT_TAIL(p) + c], parts[c]);
-        if (before + parts[c] < before)
+        if (before > 0xffffffffu - parts[c])
             atomicAdd(oit_pixel[OIT_TAIL(p) + 4u + (c >> 1u)], 1u << (16u * (c & 1u)));
     }
 }

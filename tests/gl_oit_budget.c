@@ -104,14 +104,14 @@ static void choose(const runs *all, size_t p, uint32_t k, int bits, bool has_par
     }
 }
 
-/* shaders/oit_frame_block.glsl: where the words of the stores that keep the k nearest lie: limits, six words for the tail,
- * k + 1 keys, k buckets. */
+/* shaders/oit_frame_block.glsl: where the words of the stores that keep the k nearest lie: six words for the tail,
+ * limits, k + 1 keys, k buckets. */
 static size_t first_word(const runs *r) {
     return OIT_I_HEADER_WORDS + 2 + 2 * r->pixels + oit_i_blocks((int64_t)r->pixels);
 }
 
 static double tail_of(const runs *r, size_t p, int c) {
-    const uint32_t *at = r->pixel_words + first_word(r) + r->pixels + 6 * p; /* in units of 2^-26 */
+    const uint32_t *at = r->pixel_words + first_word(r) + 6 * p; /* in units of 2^-26 */
     double low = at[c], carries = at[4 + c / 2] >> 16 * (c % 2) & 0xffffu;
     return (low + 4294967296.0 * carries) / 67108864.0;
 }
@@ -809,7 +809,6 @@ static uint32_t *ask(oit_setting *t, uint32_t pixels, uint32_t parts) {
     GLint ok = 0;
     oit_i_add_preamble(&source, t->oit->info.es, t->oit->preamble);
     oit_i_add_chunks(&source, oit_i_shader_oit_frame_block_glsl);
-    oit_i_add(&source, "#define OIT_BINDING_RECORDS OIT_BINDING_FRAGMENTS\n");
     oit_i_add_chunks(&source, oit_i_shader_oit_record_glsl);
     oit_i_add_chunks(&source, oit_i_shader_oit_buckets_glsl);
     oit_i_add(&source, asker);
