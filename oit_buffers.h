@@ -8,6 +8,9 @@
    - loses nothing: with OIT_FIT_WAIT the buffer is made to fit, and over its ceiling the picture is drawn in bands. With
      OIT_FIT_ASYNC it never waits for the GPU: pixels that do not fit for a frame are composed from sums that do not
      depend on the order either, are counted, and fit in the frames after
+   - or, with OIT_STORE_BUDGET, takes no more memory than it is given and never waits: the k nearest fragments of each
+     pixel, chosen by set and not by arrival, and sums of the others behind them; what was lost is counted.
+     OIT_STORE_BUCKETED also groups them by part (Murray, Baril, Granier 2016)
    - blends by fragment: over, additive, multiply
    - works with the host's own shaders through one function call, and has shaders for hosts that have none
    - leaves the GL state as found, or tells the host which state each pass wants
@@ -101,7 +104,7 @@
    and oit_end, oit_next_pass returns 0 and oit_compose and oit_end return the reason; oit_end restores the state even so,
    and the next frame may be tried. One heap block a context, and one more for the time that a shader is made. On the GPU:
    8 bytes a pixel (24 with OIT_FIT_ASYNC), and oit_get_info().fragment_bytes a fragment, a quarter more of them than the
-   last frame needed. One context of ours for one GL context, used from the thread that has it current.
+   last frame needed. With OIT_STORE_BUDGET and OIT_STORE_BUCKETED 40 bytes a pixel and desc.budget_bytes. One context of ours for one GL context, used from the thread that has it current.
 
    STORES, desc.store
    They differ in geometry passes, memory and what happens when there is too much; the layers of a pixel come in the
@@ -130,6 +133,8 @@
    - Particles and tinted glass: OIT_FIELD_BLEND, and fragment.blend = OIT_BLEND_ADD or OIT_BLEND_MULTIPLY.
    - A stable order where surfaces coincide: OIT_FIELD_PART with the object's number.
    - What a frame needed: oit_get_report. In games look at lost_pixels now and then.
+   - A fixed price whatever is drawn: OIT_STORE_BUDGET; desc.layers bounds k where the budget would give more. With
+     OIT_STORE_BUCKETED and 16 bits of depth the count pass chooses by part as well: set fragment.part there too.
 
    LIMITS AND PRECISION
    - Depths are gl_FragCoord.z in 32 bits: layers are told apart down to one unit in the last place.
@@ -137,6 +142,8 @@
    - Colours: see oit_color. Into a target of 8 bits the picture is within 1/255 of the exact one, into one of floats
      within 10^-5 with OIT_COLOR_FLOAT. Infinities and NaN in a colour become 0, alpha is cut to [0,1].
    - The tail takes colours up to 4, takes all layers of a pixel as evenly mixed, and is exact where they have one colour.
+   - Of the k nearest: where fragments tie for the last places of a pixel, those of that depth go to the tail together, be
+     their parts and keys what they may. A tail holds 65,535 fragments, to 2^-26 of optical depth each; k is at most 1,024.
    - Mesa's software driver ends a shader's loops after 65,535 rounds: pixels of more than about 1,400 fragments lose some
      there.
    - Image size: what GL_MAX_VIEWPORT_DIMS and storage blocks of one row allow. A viewport of no area is no error.
@@ -207,9 +214,11 @@ typedef enum oit_fit {
 typedef enum oit_store_kind {
     OIT_STORE_EXACT,   /* counted, then filled: two geometry passes, runs that fit exactly */
     OIT_STORE_PREDICT, /* one geometry pass: runs as long as the frame before suggests */
+    /* Two geometry passes: the first finds the depth up to which k fragments of a pixel fit in budget_bytes, the second
+       stores those before it and sums up the others. No read-back between them and no growth, whatever the fit. */
     OIT_STORE_BUDGET,
-    OIT_STORE_LINKED, /* one geometry pass into lists, as published, each copied into a run */
-    OIT_STORE_BUCKETED,
+    OIT_STORE_LINKED,   /* one geometry pass into lists, as published, each copied into a run */
+    OIT_STORE_BUCKETED, /* as BUDGET; and the fragments of each pixel grouped by OIT_FIELD_PART, for neighbours */
     OIT_STORE_FETCH
 } oit_store_kind;
 
@@ -254,9 +263,13 @@ typedef struct oit_desc {
     int first_storage_binding; /* three shader storage binding points from here on are ours */
     int uniform_binding;       /* uniform buffer binding point that is ours; 0: 14 */
     oit_store_kind store;
-    int64_t budget_bytes;  /* BUDGET, BUCKETED: for the fragments of the image; 0: 256 MiB */
+    /* BUDGET, BUCKETED: for the fragments of the image; 0: 256 MiB, or what a storage block holds. A fragment takes 4 bytes
+       more than fragment_bytes, with BUCKETED 12 more; k is what that gives for each pixel, at most 1,024. What a block does
+       not hold is drawn in slabs. */
+    int64_t budget_bytes;
     int layers;            /* BUDGET, BUCKETED: keep no more of a pixel; 0: as many as the budget has room for */
-    int bucket_depth_bits; /* BUCKETED: choose the nearest by so many bits of the depth, 16 or 32; 0: 32 */
+    int bucket_depth_bits; /* BUCKETED: choose the nearest by so many bits of the depth, 16 (then by part, as published) or 32;
+                              0: 32. They are composed by all bits in either case */
     int sample_order; /* 1, with OIT_FIELD_COVERAGE: each sample is a fragment of its own; see MULTISAMPLED TARGETS */
     int headroom; /* OIT_STORE_PREDICT: places that a pixel gets beyond those that it or a neighbour needed in the frame
                      before, in sixteenths, rounded up; at most 64; 0: default 2; negative: none */
@@ -280,8 +293,8 @@ typedef struct oit_report {
     uint64_t frame;       /* 1 is the first oit_begin; 0: none is finished yet */
     uint32_t needed;      /* fragments of the image (of its largest slab, where it needs several) */
     uint32_t deepest;     /* fragments of the deepest pixel */
-    uint32_t lost_pixels; /* composed from the tail */
-    uint32_t lost;        /* fragments of those */
+    uint32_t lost_pixels; /* composed from the tail; BUDGET, BUCKETED: that have a tail behind what is kept */
+    uint32_t lost;        /* fragments of those; BUDGET, BUCKETED: that are in the tail */
     uint32_t extra;       /* fragments that the fill pass met and the count pass had not: not stored */
     uint32_t capacity;    /* fragments that the pool held in that frame */
     uint32_t bands;       /* fill passes; with PREDICT and LINKED also where a frame was filled again */
@@ -474,54 +487,57 @@ static const char *const oit_i_shader_oit_arrange_comp[] = {
     "// ordered, not the records, which stay where they are.\n"
     "layout(local_size_x = 128) in;\n"
     "\n"
-    "// By part, then as composed.\n"
-    "bool oit_comes_after(uint a, uint b)\n"
+    "// One more fragment of that part. Its slot is part mod k, or the next that is free: there are k, and no more parts. Of two\n"
+    "// parts that meet the smaller takes the slot and the other moves on; so the table is the one that the paper gets from parts\n"
+    "// in ascending order, in whatever order they come.\n"
+    "void oit_count_part(uint p, uint part)\n"
     "{\n"
-    "    uint x = OIT_WORD(a, OIT_AT_PART), y = OIT_WORD(b, OIT_AT_PART);\n"
-    "    return x != y ? x > y : oit_after(a, b);\n"
-    "}\n"
-    "\n"
-    "uint oit_record_at(uint p, uint i)\n"
-    "{\n"
-    "    return oit_bucket_record(p, i) * uint(OIT_VECTORS);\n"
-    "}\n"
-    "\n"
-    "// By insertion: few, and often nearly in order.\n"
-    "void oit_reorder(uint p, uint start, uint count)\n"
-    "{\n"
-    "    for (uint i = 0u; i < count; ++i) {\n"
-    "        uint place = start + i, to = i;\n"
-    "        for (; to > 0u && oit_comes_after(oit_record_at(p, to - 1u), place * uint(OIT_VECTORS)); --to)\n"
-    "            oit_pixel[OIT_KEY(p, to)] = oit_pixel[OIT_KEY(p, to - 1u)];\n"
-    "        oit_pixel[OIT_KEY(p, to)] = place;\n"
+    "    uint count = 1u, slot = part % OIT_LAYERS;\n"
+    "    for (uint i = 0u; i < OIT_LAYERS; ++i) {\n"
+    "        uint at = OIT_BUCKET(p, slot), there = oit_pixel[at], others = oit_pixel[at + 1u];\n"
+    "        if (others > 0u && there == part) {\n"
+    "            oit_pixel[at + 1u] = others + 1u;\n"
+    "            return;\n"
+    "        }\n"
+    "        if (others == 0u || part < there) {\n"
+    "            oit_pixel[at] = part;\n"
+    "            oit_pixel[at + 1u] = count;\n"
+    "            if (others == 0u)\n"
+    "                return;\n"
+    "            part = there;\n"
+    "            count = others;\n"
+    "        }\n"
+    "        slot = slot + 1u < OIT_LAYERS ? slot + 1u : 0u;\n"
     "    }\n"
     "}\n"
     "\n"
-    "// The slot of a part is part mod k, or the next that is free. One is: there are k, and at most k parts.\n"
-    "void oit_insert_bucket(uint p, uint part, uint first, uint count)\n"
+    "// Into its bucket, behind the fragments that are composed before it.\n"
+    "void oit_place(uint p, uint place)\n"
     "{\n"
-    "    uint slot = part % OIT_LAYERS;\n"
-    "    while (oit_pixel[OIT_BUCKET(p, slot) + 1u] != 0u)\n"
-    "        slot = slot + 1u < OIT_LAYERS ? slot + 1u : 0u;\n"
-    "    oit_pixel[OIT_BUCKET(p, slot)] = part;\n"
-    "    oit_pixel[OIT_BUCKET(p, slot) + 1u] = first | count << 16u;\n"
+    "    uint part = OIT_WORD(place * uint(OIT_VECTORS), OIT_AT_PART), first, count;\n"
+    "    uint at = oit_find_bucket(p, part, first, count), to = first + count;\n"
+    "    for (; to > first && oit_after(oit_bucket_record(p, to - 1u) * uint(OIT_VECTORS), place * uint(OIT_VECTORS)); --to)\n"
+    "        oit_pixel[OIT_KEY(p, to)] = oit_bucket_record(p, to - 1u);\n"
+    "    oit_pixel[OIT_KEY(p, to)] = place;\n"
+    "    oit_pixel[at] += 1u << 16u;\n"
     "}\n"
     "\n"
     "void oit_arrange(uint p)\n"
     "{\n"
     "    uint end = oit_pixel[OIT_START(p + 1u)];\n"
     "    uint start = oit_pixel[OIT_START(p)] + uint(max(int(oit_pixel[OIT_LEFT(p)]), 0));\n"
-    "    uint count = end - start, first = 0u;\n"
-    "    oit_reorder(p, start, count);\n"
     "    for (uint slot = 0u; slot < OIT_LAYERS; ++slot)\n"
     "        oit_pixel[OIT_BUCKET(p, slot) + 1u] = 0u;\n"
-    "    for (uint i = 1u; i <= count; ++i) {\n"
-    "        uint part = OIT_WORD(oit_record_at(p, first), OIT_AT_PART);\n"
-    "        if (i < count && OIT_WORD(oit_record_at(p, i), OIT_AT_PART) == part)\n"
-    "            continue;\n"
-    "        oit_insert_bucket(p, part, first, i - first);\n"
-    "        first = i;\n"
+    "    for (uint place = start; place < end; ++place)\n"
+    "        oit_count_part(p, OIT_WORD(place * uint(OIT_VECTORS), OIT_AT_PART));\n"
+    "    uint first = 0u;\n"
+    "    for (uint slot = 0u; slot < OIT_LAYERS; ++slot) {\n"
+    "        uint at = OIT_BUCKET(p, slot) + 1u, count = oit_pixel[at];\n"
+    "        oit_pixel[at] = count > 0u ? OIT_BUCKET_USED | first : 0u;\n"
+    "        first += count;\n"
     "    }\n"
+    "    for (uint place = start; place < end; ++place)\n"
+    "        oit_place(p, place);\n"
     "}\n"
     "\n"
     "void main()\n"
@@ -571,29 +587,31 @@ static const char *const oit_i_shader_oit_buckets_glsl[] = {
     "// For: oit_buffers.h\n"
     "// What the bucketed store keeps beside the runs, for those who look for fragments of one part. After the blocks of\n"
     "// oit_record.glsl. Records of a bucket are numbered from `first` on and ordered as they are composed.\n"
+    "#define OIT_BUCKET_USED 0x80000000u\n"
     "\n"
-    "// Place of the i-th record of the pixel, by part and depth; OIT_VECTORS vectors each.\n"
+    "// Place of the i-th record of the pixel, by bucket and depth; OIT_VECTORS vectors each.\n"
     "uint oit_bucket_record(uint p, uint i)\n"
     "{\n"
     "    return oit_pixel[OIT_KEY(p, i)];\n"
     "}\n"
     "\n"
-    "// Where the records of a part lie in the order of oit_bucket_record; false: the pixel has none.\n"
-    "bool oit_find_bucket(uint p, uint part, out uint first, out uint count)\n"
+    "// Which records a part has, in the order of oit_bucket_record. Returns where its bucket says so; 0: the pixel has none.\n"
+    "uint oit_find_bucket(uint p, uint part, out uint first, out uint count)\n"
     "{\n"
+    "    uint slot = OIT_LAYERS > 0u ? part % OIT_LAYERS : 0u;\n"
     "    first = count = 0u;\n"
-    "    for (uint i = 0u, slot = part % OIT_LAYERS; i < OIT_LAYERS; ++i) {\n"
-    "        uint range = oit_pixel[OIT_BUCKET(p, slot) + 1u];\n"
+    "    for (uint i = 0u; i < OIT_LAYERS; ++i) {\n"
+    "        uint at = OIT_BUCKET(p, slot), range = oit_pixel[at + 1u];\n"
     "        if (range == 0u)\n"
-    "            return false;\n"
-    "        if (oit_pixel[OIT_BUCKET(p, slot)] == part) {\n"
+    "            break;\n"
+    "        if (oit_pixel[at] == part) {\n"
     "            first = range & 0xffffu;\n"
-    "            count = range >> 16u;\n"
-    "            return true;\n"
+    "            count = range >> 16u & 0x7fffu;\n"
+    "            return at + 1u;\n"
     "        }\n"
     "        slot = slot + 1u < OIT_LAYERS ? slot + 1u : 0u;\n"
     "    }\n"
-    "    return false;\n"
+    "    return 0u;\n"
     "}\n",
     0};
 static const char *const oit_i_shader_oit_clear_comp[] = {
@@ -1010,10 +1028,14 @@ static const char *const oit_i_shader_oit_frame_block_glsl[] = {
     "#define OIT_WANTED(p) OIT_LEFT(p)\n"
     "#endif\n"
     "#define OIT_NONE 0xffffffffu\n"
-    "\n"
-    "// With OIT_HAS_COVERAGE one word a pixel follows: 1 where a fragment covers not all of its samples.\n",
+    "\n",
     "#line 66\n"
+    "// With OIT_HAS_COVERAGE one word a pixel follows: 1 where a fragment covers not all of its samples.\n"
+    "#if OIT_KEEPS\n"
+    "#define OIT_EDGE(p) (OIT_BUCKET(OIT_STORE == OIT_BUCKETED ? oit_pool.x : 0u, 0u) + (p))\n"
+    "#else\n"
     "#define OIT_EDGE(p) (OIT_TAIL(oit_pool.x * uint(OIT_ASYNC)) + (p))\n"
+    "#endif\n"
     "\n"
     "// With what is to come of a pixel whose run does not fit. A pixel has less than 2^30 fragments.\n"
     "#define OIT_UNFIT 0x40000000u\n"
@@ -1967,7 +1989,7 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "    // 0, and then wraps to more than any pool holds.\n"
     "    uint w[OIT_VECTORS * OIT_LANES];\n"
     "    oit_pack(f, w);\n",
-    "#line 358\n"
+    "#line 360\n"
     "    uint slot = oit_pixel[OIT_START(p)] + left - 1u - oit_pool.y;\n"
     "    if (left - 1u >= oit_pool.z || slot >= oit_pool.z) {\n"
     "#if OIT_STORE != OIT_PREDICT\n"
@@ -3890,8 +3912,8 @@ static void oit_i_limit_blocks(oit_context *oit) {
         oit->desc.ceiling_bytes = (int64_t)512 << 20;
     if (oit->desc.ceiling_bytes > most)
         oit->desc.ceiling_bytes = most;
-    if (oit->desc.budget_bytes == 0)
-        oit->desc.budget_bytes = (int64_t)256 << 20;
+    if (oit->desc.budget_bytes == 0) /* more than a block would cut the image into slabs, each drawn twice */
+        oit->desc.budget_bytes = most < (int64_t)256 << 20 ? most : (int64_t)256 << 20;
 }
 
 /* OIT_STORE_FETCH: seven layers a pass where there are eight draw buffers, else three; a block of storage is among a fragment
@@ -4571,7 +4593,8 @@ static oit_result oit_i_make_programs(oit_context *oit) {
 
 /* ---- the steps of each store ---- */
 
-/* The k nearest are chosen by their keys in a first geometry pass, and come in a second. */
+/* The k nearest are chosen by their keys in a first geometry pass, and come in a second: with one, what a nearer fragment
+   drives out would have to take its record along, and atomics of 32 bits move one word. */
 static const oit_i_list oit_i_budget = {
     {OIT_I_STEP_CLEAR, OIT_I_STEP_COUNT, OIT_I_STEP_KEEP, OIT_I_STEP_FILL, OIT_I_STEP_FILLED}, OIT_I_STEP_FILL, 0};
 static const oit_i_list oit_i_bucketed = {

@@ -64,7 +64,11 @@ layout(std140, binding = OIT_UNIFORM_BINDING) uniform oit_frame
 #define OIT_NONE 0xffffffffu
 
 // With OIT_HAS_COVERAGE one word a pixel follows: 1 where a fragment covers not all of its samples.
+#if OIT_KEEPS
+#define OIT_EDGE(p) (OIT_BUCKET(OIT_STORE == OIT_BUCKETED ? oit_pool.x : 0u, 0u) + (p))
+#else
 #define OIT_EDGE(p) (OIT_TAIL(oit_pool.x * uint(OIT_ASYNC)) + (p))
+#endif
 
 // With what is to come of a pixel whose run does not fit. A pixel has less than 2^30 fragments.
 #define OIT_UNFIT 0x40000000u

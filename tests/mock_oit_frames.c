@@ -259,6 +259,8 @@ static void fake_ShaderSource(U shader, I count, const char *const *strings, con
     if (strstr(source, "#define OIT_PASS 0\n") ||
         strstr(source, "inout highp uvec2 oit_seen")) /* counting stores nothing; fetching not in a buffer */
         driver.shader_uses[shader][1] = 0;
+    if (strstr(source, "#define OIT_ARRANGES 1\n")) /* of two declarations the second holds */
+        driver.shader_uses[shader][0] = READS | WRITES;
 }
 
 static void fake_GenBuffers(I count, U *names) {
@@ -593,6 +595,19 @@ static const oit_desc descs[] = {
     {.store = OIT_STORE_LINKED, .fit = OIT_FIT_ASYNC, .max_block_bytes = 15000},
     {.store = OIT_STORE_FETCH},
     {.store = OIT_STORE_FETCH, .fit = OIT_FIT_ASYNC},
+    {.store = OIT_STORE_BUDGET, .layers = 8},
+    {.store = OIT_STORE_BUDGET, .layers = 70, .fit = OIT_FIT_ASYNC, .fields = OIT_FIELD_BLEND},
+    {.store = OIT_STORE_BUDGET, .budget_bytes = 1, .fit = OIT_FIT_ASYNC, .state = OIT_STATE_NONE}, /* no layer */
+    {.store = OIT_STORE_BUDGET, .layers = 3, .fit = OIT_FIT_ASYNC, .max_block_bytes = 20000},      /* slabs */
+    {.store = OIT_STORE_BUCKETED, .layers = 8, .fields = OIT_FIELD_PART},
+    {.store = OIT_STORE_BUCKETED, .layers = 8, .fields = OIT_FIELD_PART, .fit = OIT_FIT_ASYNC, .bucket_depth_bits = 16},
+    {.store = OIT_STORE_BUCKETED,
+     .layers = 8,
+     .fields = OIT_FIELD_PART | OIT_FIELD_KEY | OIT_FIELD_BLEND | OIT_FIELD_NORMAL | OIT_FIELD_UV,
+     .fit = OIT_FIT_ASYNC,
+     .state = OIT_STATE_NONE,
+     .color = OIT_COLOR_HALF},
+    {.store = OIT_STORE_BUCKETED, .layers = 3, .fields = OIT_FIELD_PART, .max_block_bytes = 20000}, /* slabs */
 };
 
 /* tear_down fails where a barrier was missing. */
@@ -953,7 +968,7 @@ static void test_no_memory_mid_growth(void **state) {
 static void test_no_memory_for_growth_of_any_store(void **state) {
     (void)state;
     for (size_t i = 0; i < sizeof descs / sizeof descs[0]; ++i) {
-        if (descs[i].ceiling_bytes || descs[i].max_block_bytes)
+        if (descs[i].ceiling_bytes || descs[i].max_block_bytes || oit_i_keeps(&descs[i])) /* those do not grow */
             continue;
         oit_context *oit = make(descs[i]);
         for (int run = 0; run < 6; ++run) {
@@ -1035,6 +1050,82 @@ static void test_fetched_frames(void **state) {
         driver.extension = "GL_EXT_shader_framebuffer_fetch_non_coherent";
         assert_null(oit_create(&desc, &result));
         assert_int_equal(result, OIT_NO_FETCH);
+    }
+}
+
+/* The stores that keep the k nearest: no memory for the pixels or for the fragments is an error, and the next frame works,
+ * with what the budget has room for at its size; smaller ones need no new buffer. */
+static void test_no_memory_for_a_budget(void **state) {
+    static const int widths[] = {64, 64, 64, 32, 16, 64, 640};
+    (void)state;
+    for (int store = 0; store < 2; ++store) {
+        oit_desc desc = {.store = store ? OIT_STORE_BUCKETED : OIT_STORE_BUDGET, .fields = OIT_FIELD_PART};
+        desc.budget_bytes = 64 * 48 * (store ? 28 : 20) * 5;
+        oit_context *oit = make(desc);
+        for (int run = 0; run < 7; ++run) {
+            int first = driver.call_count, k = 64 * 5 / widths[run];
+            oit_frame f = frame;
+            f.width = widths[run];
+            driver.memory = run == 0 ? 1000 : run == 1 ? 64 * 48 * 16 * 5 - 1 : 0; /* neither; no fragments */
+            oit_result result = draw_frame(oit, &f, NULL);
+            assert_int_equal(result, driver.memory ? OIT_OUT_OF_MEMORY : OIT_OK);
+            assert_int_equal(driver.copy_target, 78);
+            assert_int_equal(driver.program, 4000);
+            if (run > 1) {
+                assert_int_equal(oit->layers, k);
+                assert_int_equal(oit->capacity, k * widths[run] * 48);
+            }
+            if (run > 2 && run < 6)
+                assert_int_equal(called_since(first, "BufferData"), 0);
+            driver.finished = driver.now;
+        }
+        oit_destroy(oit);
+    }
+}
+
+/* The stores that keep the k nearest need no read-back within a frame, whatever the fit; the third report from now is
+ * waited for with OIT_FIT_WAIT, as ever. */
+static void test_a_budget_reads_nothing_back(void **state) {
+    (void)state;
+    for (int store = 0; store < 2; ++store) {
+        oit_desc desc = {.store = store ? OIT_STORE_BUCKETED : OIT_STORE_BUDGET, .fields = OIT_FIELD_PART, .layers = 8};
+        oit_context *oit = make(desc);
+        int maps = called_since(0, "MapBufferRange");
+        for (int run = 0; run < 3; ++run)
+            assert_int_equal(draw_frame(oit, &frame, NULL), OIT_OK);
+        assert_int_equal(called_since(0, "MapBufferRange"), maps);
+        assert_int_equal(driver.waits, 0);
+        oit_destroy(oit);
+    }
+}
+
+/* What a pass of the stores that keep the k nearest is, in its order. */
+static void test_passes_of_a_budget(void **state) {
+    static const oit_pass_kind expected[2][8] = {
+        {OIT_PASS_CLEAR, OIT_PASS_COUNT, OIT_PASS_KEEP, OIT_PASS_FILL, OIT_PASS_COMPOSE},
+        {OIT_PASS_CLEAR, OIT_PASS_COUNT, OIT_PASS_KEEP, OIT_PASS_FILL, OIT_PASS_ARRANGE, OIT_PASS_COMPOSE}};
+    (void)state;
+    for (int store = 0; store < 2; ++store) {
+        oit_desc desc = {.store = store ? OIT_STORE_BUCKETED : OIT_STORE_BUDGET,
+                         .fields = OIT_FIELD_PART,
+                         .layers = 8,
+                         .fit = OIT_FIT_ASYNC,
+                         .state = OIT_STATE_NONE};
+        oit_context *oit = make(desc);
+        oit_pass pass;
+        int passes = 0;
+        assert_int_equal(oit_begin(oit, &frame), OIT_OK);
+        for (; oit_next_pass(oit, &pass); ++passes)
+            assert_int_equal(pass.kind, expected[store][passes]);
+        assert_int_equal(passes, 4 + store); /* the buckets are there before oit_compose */
+        assert_int_equal(oit_compose(oit), OIT_OK);
+        assert_int_equal(oit_next_pass(oit, &pass), 1);
+        assert_int_equal(pass.kind, OIT_PASS_COMPOSE);
+        while (oit_next_pass(oit, &pass))
+            ;
+        assert_int_equal(pass.kind, OIT_PASS_REPORT);
+        assert_int_equal(oit_end(oit), OIT_OK);
+        oit_destroy(oit);
     }
 }
 
@@ -1121,6 +1212,9 @@ int main(void) {
         DRIVER_TEST(test_no_memory_for_growth_of_any_store),
         DRIVER_TEST(test_predicted_frames),
         DRIVER_TEST(test_fetched_frames),
+        DRIVER_TEST(test_no_memory_for_a_budget),
+        DRIVER_TEST(test_a_budget_reads_nothing_back),
+        DRIVER_TEST(test_passes_of_a_budget),
         DRIVER_TEST(test_pixel_deeper_than_the_ceiling),
         DRIVER_TEST(test_wrong_order_and_bad_frames),
         DRIVER_TEST(test_sizes),

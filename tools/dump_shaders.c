@@ -156,6 +156,10 @@ static bool dump_all_oit(const char *folder) {
         {.store = OIT_STORE_LINKED},
         {.store = OIT_STORE_FETCH, .fields = OIT_FIELD_BLEND},
         {.store = OIT_STORE_LINKED, .fit = OIT_FIT_ASYNC, .fields = OIT_FIELD_ALL, .host_words = 2},
+        {.store = OIT_STORE_BUDGET, .reversed_z = 1},
+        {.store = OIT_STORE_BUDGET, .fit = OIT_FIT_ASYNC, .fields = OIT_FIELD_ALL, .premultiplied = 1},
+        {.store = OIT_STORE_BUCKETED, .fields = OIT_FIELD_PART, .color = OIT_COLOR_FLOAT},
+        {.store = OIT_STORE_BUCKETED, .fields = OIT_FIELD_ALL, .bucket_depth_bits = 16, .reversed_z = 1},
     };
     bool ok = true;
     for (int i = 0; ok && i < (int)(sizeof descs / sizeof descs[0]); ++i)
