@@ -17,7 +17,7 @@
 /* ---- the driver that is not there ---- */
 
 enum { MAX_NAMES = 4096, MAX_CALLS = 2000000, POINTS = 8, READS = 1, WRITES = 2 };
-enum { BUFFERS, ARRAYS, SHADERS, PROGRAMS, FENCES, KINDS };
+enum { BUFFERS, ARRAYS, SHADERS, PROGRAMS, FENCES, TEXTURES, FRAMEBUFFERS, KINDS };
 
 typedef struct fake_buffer {
     int64_t size;
@@ -35,7 +35,10 @@ typedef struct fake_program {
 
 static struct {
     const char *version, *extension;
-    int32_t samples; /* of every framebuffer */
+    int32_t samples;       /* of every framebuffer */
+    int32_t default_depth; /* type of the attachment */
+    uint32_t texture;
+    bool missing_target;
     int live[KINDS];
     long creations, refuse_creation; /* the n-th creation fails; 0: none */
     int64_t memory;                  /* that BufferData has; 0: any */
@@ -171,7 +174,8 @@ FAKE(void, BlendEquationSeparate, (U a, U b), (void)a; (void)b;)
 FAKE(void, BlendEquationSeparatei, (U a, U b, U c), (void)a; (void)b; (void)c;)
 FAKE(void, BlendFuncSeparate, (U a, U b, U c, U d), (void)a; (void)b; (void)c; (void)d;)
 FAKE(void, BlendFuncSeparatei, (U a, U b, U c, U d, U e), (void)a; (void)b; (void)c; (void)d; (void)e;)
-FAKE(U, CheckFramebufferStatus, (U a), (void)a; return 0x8CD5u;)
+FAKE(U, CheckFramebufferStatus, (U a), (void)a; bool missing = driver.missing_target; driver.missing_target = false;
+     return missing ? 0x8CD6u : 0x8CD5u;)
 FAKE(void, ColorMask, (B a, B b, B c, B d), (void)a; (void)b; (void)c; (void)d;)
 FAKE(void, ColorMaski, (U a, B b, B c, B d, B e), (void)a; (void)b; (void)c; (void)d; (void)e;)
 FAKE(void, CompileShader, (U a), (void)a;)
@@ -221,6 +225,18 @@ FAKE(void, Uniform4fv, (I a, I b, const float *c), (void)a; (void)b; (void)c;)
 FAKE(void, Uniform4uiv, (I a, I b, const U *c), (void)a; (void)b; (void)c;)
 FAKE(void, UniformMatrix3fv, (I a, I b, B c, const float *d), (void)a; (void)b; (void)c; (void)d;)
 FAKE(void, UniformMatrix4fv, (I a, I b, B c, const float *d), (void)a; (void)b; (void)c; (void)d;)
+FAKE(void, BindTexture, (U a, U b), assert_int_equal(a, 0x0DE1); driver.texture = b;)
+FAKE(void, DeleteFramebuffers, (I a, const U *b), driver.live[FRAMEBUFFERS] -= a * (b[0] != 0);)
+FAKE(void, DeleteTextures, (I a, const U *b), driver.live[TEXTURES] -= a * (b[0] != 0);)
+FAKE(void, DrawBuffers, (I a, const U *b), assert_int_equal(a, 8); assert_int_equal(b[7], 0x8CE7);)
+FAKE(void, FramebufferRenderbuffer, (U a, U b, U c, U d), (void)a; (void)b; (void)c; (void)d;)
+FAKE(void, FramebufferTexture2D, (U a, U b, U c, U d, I e), (void)a; (void)b; (void)c; (void)e;
+     driver.missing_target |= d == 0;)
+FAKE(void, GenFramebuffers, (I a, U *b), assert_int_equal(a, 1); b[0] = create(FRAMEBUFFERS);)
+FAKE(void, GenTextures, (I a, U *b), assert_int_equal(a, 1); b[0] = create(TEXTURES);)
+FAKE(void, GetFramebufferAttachmentParameteriv, (U a, U b, U c, I *d), (void)a; (void)c;
+     *d = b == 0x1801 ? driver.default_depth : 0;)
+FAKE(void, TexStorage2D, (U a, I b, U c, I d, I e), (void)a; (void)b; (void)c; assert_true(d > 0 && e > 0);)
 FAKE(B, UnmapBuffer, (U a), (void)a; return 1;)
 FAKE(void, UseProgram, (U a), driver.program = a;)
 FAKE(void, Viewport, (I a, I b, I c, I d), (void)a; (void)b; (void)c; (void)d;)
@@ -239,8 +255,14 @@ static void fake_ShaderSource(U shader, I count, const char *const *strings, con
     driver.shader_hosts[shader] = strstr(source, "void oit_store(vec4 color)") != NULL;
     for (int i = 0; i < 3; ++i)
         driver.shader_uses[shader][i] = uses_of(source, bindings[i]);
-    if (strstr(source, "#define OIT_PASS 0\n")) /* counting stores nothing */
+    /* Records are read where they lie in runs, or in lists. */
+    bool lists = strstr(source, "#define OIT_BINDING_RECORDS OIT_BINDING_REPORT") != NULL;
+    driver.shader_uses[shader][lists ? 2 : 1] |= uses_of(source, "OIT_BINDING_RECORDS");
+    if (strstr(source, "#define OIT_PASS 0\n") ||
+        strstr(source, "inout highp uvec2 oit_seen")) /* counting stores nothing; fetching not in a buffer */
         driver.shader_uses[shader][1] = 0;
+    if (strstr(source, "#define OIT_ARRANGES 1\n")) /* of two declarations the second holds */
+        driver.shader_uses[shader][0] = READS | WRITES;
 }
 
 static void fake_GenBuffers(I count, U *names) {
@@ -364,6 +386,9 @@ static void fake_GetIntegerv(U what, I *out) {
     case 0x8CA6:
         *out = (I)driver.framebuffer;
         break;
+    case 0x8069:
+        *out = (I)driver.texture;
+        break;
     case 0x80A9:
         *out = driver.samples;
         break;
@@ -438,6 +463,7 @@ static oit_proc get_proc(const char *name) {
     OIT_I_GL_DESKTOP(GIVE)
     OIT_I_GL_INDEXED(GIVE)
     OIT_I_GL_ES(GIVE)
+    OIT_I_GL_FETCH(GIVE)
     return NULL;
 }
 
@@ -497,7 +523,11 @@ static oit_context *make(oit_desc desc) {
     desc.alloc_fn = allocate;
     desc.free_fn = release;
     desc.log_fn = on_log;
+    const char *extension = driver.extension;
+    if (desc.store == OIT_STORE_FETCH)
+        driver.extension = "GL_EXT_shader_framebuffer_fetch";
     oit_context *oit = oit_create(&desc, NULL);
+    driver.extension = extension;
     assert_non_null(oit);
     return oit;
 }
@@ -555,6 +585,31 @@ static const oit_desc descs[] = {
     {.fit = OIT_FIT_WAIT, .ceiling_bytes = 16 * 9},      /* bands of parts of rows */
     {.fit = OIT_FIT_WAIT, .max_block_bytes = 9000},      /* slabs */
     {.fit = OIT_FIT_ASYNC, .max_block_bytes = 12000},    /* slabs */
+    {.store = OIT_STORE_PREDICT},
+    {.store = OIT_STORE_PREDICT, .fit = OIT_FIT_ASYNC},
+    {.store = OIT_STORE_PREDICT, .fit = OIT_FIT_ASYNC, .state = OIT_STATE_NONE},
+    {.store = OIT_STORE_PREDICT, .ceiling_bytes = 64 * 16 * 9},
+    {.store = OIT_STORE_PREDICT, .fit = OIT_FIT_ASYNC, .max_block_bytes = 15000},
+    {.store = OIT_STORE_LINKED},
+    {.store = OIT_STORE_LINKED, .fit = OIT_FIT_ASYNC},
+    {.store = OIT_STORE_LINKED, .fit = OIT_FIT_ASYNC, .state = OIT_STATE_NONE},
+    {.store = OIT_STORE_LINKED, .ceiling_bytes = 64 * 16 * 18},
+    {.store = OIT_STORE_LINKED, .fit = OIT_FIT_ASYNC, .max_block_bytes = 15000},
+    {.store = OIT_STORE_FETCH},
+    {.store = OIT_STORE_FETCH, .fit = OIT_FIT_ASYNC},
+    {.store = OIT_STORE_BUDGET, .layers = 8},
+    {.store = OIT_STORE_BUDGET, .layers = 70, .fit = OIT_FIT_ASYNC, .fields = OIT_FIELD_BLEND},
+    {.store = OIT_STORE_BUDGET, .budget_bytes = 1, .fit = OIT_FIT_ASYNC, .state = OIT_STATE_NONE}, /* no layer */
+    {.store = OIT_STORE_BUDGET, .layers = 3, .fit = OIT_FIT_ASYNC, .max_block_bytes = 20000},      /* slabs */
+    {.store = OIT_STORE_BUCKETED, .layers = 8, .fields = OIT_FIELD_PART},
+    {.store = OIT_STORE_BUCKETED, .layers = 8, .fields = OIT_FIELD_PART, .fit = OIT_FIT_ASYNC, .bucket_depth_bits = 16},
+    {.store = OIT_STORE_BUCKETED,
+     .layers = 8,
+     .fields = OIT_FIELD_PART | OIT_FIELD_KEY | OIT_FIELD_BLEND | OIT_FIELD_NORMAL | OIT_FIELD_UV,
+     .fit = OIT_FIT_ASYNC,
+     .state = OIT_STATE_NONE,
+     .color = OIT_COLOR_HALF},
+    {.store = OIT_STORE_BUCKETED, .layers = 3, .fields = OIT_FIELD_PART, .max_block_bytes = 20000}, /* slabs */
 };
 
 /* tear_down fails where a barrier was missing. */
@@ -565,10 +620,13 @@ static void test_barriers(void **state) {
             driver.version = es ? "OpenGL ES 3.1 Mock" : "4.3.0 Mock";
             oit_context *oit = make(descs[i]);
             set_totals(64 * 48 * 2, 300);
-            for (int run = 0; run < 4; ++run) {
+            for (int run = 0; run < 5; ++run) {
                 int passes = 0;
+                driver.totals[8] = run >= 3; /* few shallow pixels: the first program of compose is not drawn */
+                driver.totals[10] = run >= 3 ? 3000 : 0;
+                driver.totals[2] = run == 2; /* a pixel that did not fit: OIT_STORE_PREDICT fills again */
                 assert_int_equal(draw_frame(oit, &frame, &passes), OIT_OK);
-                assert_true(passes >= 2);
+                assert_true(passes >= (descs[i].store == OIT_STORE_EXACT ? 2 : 1));
                 driver.finished = driver.now;
             }
             oit_destroy(oit);
@@ -671,6 +729,12 @@ static void test_barriers_of_picks_and_depths(void **state) {
     for (size_t i = 0; i < sizeof descs / sizeof descs[0]; ++i) {
         oit_context *oit = make(descs[i]);
         oit_pick pick = {0};
+        if (descs[i].store == OIT_STORE_FETCH) { /* keeps no layers to pick from */
+            assert_int_equal(oit_pick_begin(oit, 60, 47, 1), OIT_INVALID_ARGUMENT);
+            assert_int_equal(oit_begin(oit, &frame_with_depth), OIT_INVALID_ARGUMENT);
+            oit_destroy(oit);
+            continue;
+        }
         set_totals(64 * 48 * 2, 300);
         assert_int_equal(draw_frame(oit, &frame, NULL), OIT_OK);
         assert_int_equal(oit->programs[OIT_I_PROGRAM_PICK] + oit->programs[OIT_I_PROGRAM_DEPTH], 0);
@@ -820,7 +884,9 @@ static void test_multisampled_targets(void **state) {
  * works. */
 static void test_every_creation_refused(void **state) {
     (void)state;
-    for (size_t i = 0; i < 4; ++i) {
+    for (size_t i = 0; i < sizeof descs / sizeof descs[0]; ++i) {
+        if (descs[i].ceiling_bytes || descs[i].max_block_bytes)
+            continue;
         long total = 1;
         for (long refused = 1; refused <= total; ++refused) {
             set_up(state);
@@ -900,6 +966,171 @@ static void test_no_memory_mid_growth(void **state) {
     oit_destroy(oit);
 }
 
+/* Growth that finds no memory in the second frame, whatever the store; the third works. */
+static void test_no_memory_for_growth_of_any_store(void **state) {
+    (void)state;
+    for (size_t i = 0; i < sizeof descs / sizeof descs[0]; ++i) {
+        if (descs[i].ceiling_bytes || descs[i].max_block_bytes || oit_i_keeps(&descs[i])) /* those do not grow */
+            continue;
+        oit_context *oit = make(descs[i]);
+        for (int run = 0; run < 6; ++run) {
+            set_totals(run < 2 ? 3000 : 300000, 20);
+            driver.pixel_starts = run < 2 ? 1 : 2;
+            driver.memory = run == 2 || run == 3 ? 8 : 0;
+            oit_result result = draw_frame(oit, &frame, NULL);
+            assert_true(result == OIT_OK || (result == OIT_OUT_OF_MEMORY && driver.memory));
+            assert_int_equal(driver.copy_target, 78);
+            driver.finished = driver.now;
+        }
+        assert_true(oit->capacity >= 300000 || descs[i].store == OIT_STORE_FETCH); /* which has no pool */
+        oit_destroy(oit);
+        driver.call_count = 0;
+    }
+}
+
+/* OIT_STORE_PREDICT with OIT_FIT_WAIT: one read-back a frame, after the fill; two more passes and one more read-back where
+ * something did not fit; and the first frame is counted. */
+static void test_predicted_frames(void **state) {
+    static const oit_pass_kind expected[3][4] = {
+        {OIT_PASS_COUNT, OIT_PASS_FILL}, {OIT_PASS_FILL}, {OIT_PASS_FILL, OIT_PASS_FILL}};
+    (void)state;
+    oit_desc desc = {.store = OIT_STORE_PREDICT};
+    oit_context *oit = make(desc);
+    oit_frame f = frame;
+    set_totals(5000, 10);
+    for (int run = 0; run < 8; ++run) {
+        int kind = run == 0 || run == 5 || run == 7 ? 0 : run == 3 ? 2 : 1, waits = driver.waits, passes = 0;
+        oit_pass pass;
+        driver.totals[2] = run == 3;
+        f.cut = run == 5;
+        f.width = run == 7 ? 63 : 64; /* counts of another size are none */
+        assert_int_equal(oit_begin(oit, &f), OIT_OK);
+        for (; oit_next_pass(oit, &pass); ++passes) {
+            assert_int_equal(pass.kind, expected[kind][passes]);
+            fake_DrawArrays(4, 0, 3);
+            driver.totals[2] = run == 3 && passes == 0;
+        }
+        assert_int_equal(passes, kind == 1 ? 1 : 2);
+        assert_int_equal(oit_compose(oit), OIT_OK);
+        assert_int_equal(oit_end(oit), OIT_OK);
+        assert_int_equal(driver.waits, waits + (kind == 2 ? 2 : 1));
+        driver.finished = driver.now;
+    }
+    oit_destroy(oit);
+}
+
+/* OIT_STORE_FETCH: as many geometry passes as 15 layers take, known by one read-back after the first, or from the frame
+ * before; a depth that it cannot share and a ceiling below its targets are refused. */
+static void test_fetched_frames(void **state) {
+    (void)state;
+    for (int fit = 0; fit < 2; ++fit) {
+        oit_desc desc = {.store = OIT_STORE_FETCH, .fit = (oit_fit)fit};
+        oit_context *oit = make(desc);
+        set_totals(5000, 15);
+        for (int run = 0; run < 4; ++run) {
+            int waits = driver.waits, passes = 0;
+            assert_int_equal(draw_frame(oit, &frame, &passes), OIT_OK);
+            assert_int_equal(passes, fit && run == 0 ? 1 : 3);
+            assert_int_equal(driver.waits, waits + !fit);
+            assert_int_equal(driver.texture, 0);
+            driver.finished = driver.now;
+        }
+        oit_frame bad = frame;
+        bad.framebuffer = 0;
+        driver.default_depth = 0x8218;
+        assert_int_equal(oit_begin(oit, &bad), OIT_NO_FETCH);
+        assert_int_equal(driver.framebuffer, 5);
+        driver.default_depth = 0;
+        assert_int_equal(draw_frame(oit, &bad, NULL), OIT_OK);
+        oit_destroy(oit);
+        desc.ceiling_bytes = 64 * 48 * 120 - 1;
+        oit = make(desc);
+        assert_int_equal(oit_begin(oit, &frame), OIT_TOO_LARGE);
+        oit_destroy(oit);
+        desc.get_proc = get_proc;
+        oit_result result;
+        driver.extension = "GL_EXT_shader_framebuffer_fetch_non_coherent";
+        assert_null(oit_create(&desc, &result));
+        assert_int_equal(result, OIT_NO_FETCH);
+    }
+}
+
+/* The stores that keep the k nearest: no memory for the pixels or for the fragments is an error, and the next frame works,
+ * with what the budget has room for at its size; smaller ones need no new buffer. */
+static void test_no_memory_for_a_budget(void **state) {
+    static const int widths[] = {64, 64, 64, 32, 16, 64, 640};
+    (void)state;
+    for (int store = 0; store < 2; ++store) {
+        oit_desc desc = {.store = store ? OIT_STORE_BUCKETED : OIT_STORE_BUDGET, .fields = OIT_FIELD_PART};
+        desc.budget_bytes = 64 * 48 * (store ? 28 : 20) * 5;
+        oit_context *oit = make(desc);
+        for (int run = 0; run < 7; ++run) {
+            int first = driver.call_count, k = 64 * 5 / widths[run];
+            oit_frame f = frame;
+            f.width = widths[run];
+            driver.memory = run == 0 ? 1000 : run == 1 ? 64 * 48 * 16 * 5 - 1 : 0; /* neither; no fragments */
+            oit_result result = draw_frame(oit, &f, NULL);
+            assert_int_equal(result, driver.memory ? OIT_OUT_OF_MEMORY : OIT_OK);
+            assert_int_equal(driver.copy_target, 78);
+            assert_int_equal(driver.program, 4000);
+            if (run > 1) {
+                assert_int_equal(oit->layers, k);
+                assert_int_equal(oit->capacity, k * widths[run] * 48);
+            }
+            if (run > 2 && run < 6)
+                assert_int_equal(called_since(first, "BufferData"), 0);
+            driver.finished = driver.now;
+        }
+        oit_destroy(oit);
+    }
+}
+
+/* The stores that keep the k nearest need no read-back within a frame, whatever the fit; the third report from now is
+ * waited for with OIT_FIT_WAIT, as ever. */
+static void test_a_budget_reads_nothing_back(void **state) {
+    (void)state;
+    for (int store = 0; store < 2; ++store) {
+        oit_desc desc = {.store = store ? OIT_STORE_BUCKETED : OIT_STORE_BUDGET, .fields = OIT_FIELD_PART, .layers = 8};
+        oit_context *oit = make(desc);
+        int maps = called_since(0, "MapBufferRange");
+        for (int run = 0; run < 3; ++run)
+            assert_int_equal(draw_frame(oit, &frame, NULL), OIT_OK);
+        assert_int_equal(called_since(0, "MapBufferRange"), maps);
+        assert_int_equal(driver.waits, 0);
+        oit_destroy(oit);
+    }
+}
+
+/* What a pass of the stores that keep the k nearest is, in its order. */
+static void test_passes_of_a_budget(void **state) {
+    static const oit_pass_kind expected[2][8] = {
+        {OIT_PASS_CLEAR, OIT_PASS_COUNT, OIT_PASS_KEEP, OIT_PASS_FILL, OIT_PASS_COMPOSE},
+        {OIT_PASS_CLEAR, OIT_PASS_COUNT, OIT_PASS_KEEP, OIT_PASS_FILL, OIT_PASS_ARRANGE, OIT_PASS_COMPOSE}};
+    (void)state;
+    for (int store = 0; store < 2; ++store) {
+        oit_desc desc = {.store = store ? OIT_STORE_BUCKETED : OIT_STORE_BUDGET,
+                         .fields = OIT_FIELD_PART,
+                         .layers = 8,
+                         .fit = OIT_FIT_ASYNC,
+                         .state = OIT_STATE_NONE};
+        oit_context *oit = make(desc);
+        oit_pass pass;
+        int passes = 0;
+        assert_int_equal(oit_begin(oit, &frame), OIT_OK);
+        for (; oit_next_pass(oit, &pass); ++passes)
+            assert_int_equal(pass.kind, expected[store][passes]);
+        assert_int_equal(passes, 4 + store); /* the buckets are there before oit_compose */
+        assert_int_equal(oit_compose(oit), OIT_OK);
+        assert_int_equal(oit_next_pass(oit, &pass), 1);
+        assert_int_equal(pass.kind, OIT_PASS_COMPOSE);
+        while (oit_next_pass(oit, &pass))
+            ;
+        assert_int_equal(pass.kind, OIT_PASS_REPORT);
+        assert_int_equal(oit_end(oit), OIT_OK);
+        oit_destroy(oit);
+    }
+}
+
 static void test_pixel_deeper_than_the_ceiling(void **state) {
     (void)state;
     oit_desc desc = {.ceiling_bytes = 16 * 9};
@@ -965,6 +1196,334 @@ static void test_sizes(void **state) {
     }
 }
 
+/* ---- operators ---- */
+
+static oit_frame frame_with_projection(void) {
+    oit_frame f = frame;
+    f.projection[0] = f.projection[5] = 2.0f;
+    f.projection[10] = -1.2f;
+    f.projection[11] = -1.0f;
+    f.projection[14] = -2.2f;
+    return f;
+}
+
+/* A host's operator, which uses what ours use. */
+static U host_operator(const oit_context *oit) {
+    int count = 0;
+    const char *const *strings = oit_operator_glsl(oit, &count);
+    assert_non_null(strings);
+    U shader = fake_CreateShader(0x91B9u), program = fake_CreateProgram();
+    fake_ShaderSource(shader, count, strings, NULL);
+    fake_AttachShader(program, shader);
+    fake_DeleteShader(shader);
+    return program;
+}
+
+/* Each kind, with what makes its passes differ. Jumps, published and diffusion are seen by run & 3. */
+static oit_operator operators_of(int kind, int run, U program) {
+    oit_operator op = {.kind = (oit_run_kind)kind};
+    op.link.search = (oit_search)(run % 3);
+    op.link.criterion = run == 3 ? OIT_LINK_PUBLISHED : OIT_LINK_DEPTH;
+    op.law.kind = (oit_law_kind)(run % 5);
+    op.smart.jumps = run & 1;
+    op.smart.until_stable = run & 1;
+    op.smart.thin = run & 2 ? 0.5f : 0.0f;
+    op.smart.published = run == 2;
+    op.smart.beta.process = run == 3 ? OIT_PROCESS_DIFFUSION : OIT_PROCESS_DEFAULT;
+    op.curvature.shade = run & 1 ? OIT_SHADE_CONVEX : OIT_SHADE_NONE;
+    op.curvature.opacity = run & 2 ? OIT_OPACITY_FRONT : OIT_OPACITY_NONE;
+    op.host.program = program;
+    op.host.iterations = run;
+    op.host.value = run & 1 ? OIT_VALUE_HOST : OIT_VALUE_BASE;
+    return op;
+}
+
+/* A frame with an operator of each of the kinds whose bits are set. counts: passes of each kind. */
+static oit_result operate_frame(oit_context *oit, unsigned kinds, int run, U program, int counts[OIT_PASS_KIND_COUNT]) {
+    oit_frame f = frame_with_projection();
+    int ignored = 0;
+    oit_result result = oit_begin(oit, &f), end;
+    if (result != OIT_OK)
+        return result;
+    draw_passes(oit, &ignored);
+    for (int kind = 0; kind < 5 && result == OIT_OK; ++kind) {
+        oit_operator op = operators_of(kind, run, program);
+        int first = driver.call_count;
+        if (!(kinds >> kind & 1u))
+            continue;
+        result = oit_run(oit, &op);
+        if (result == OIT_OK && oit->desc.state == OIT_STATE_NONE)
+            draw_passes(oit, &ignored);
+        if (counts)
+            counts[OIT_PASS_OPERATE] += called_since(first, "DispatchCompute");
+    }
+    end = oit_compose(oit);
+    if (oit->desc.state == OIT_STATE_NONE)
+        draw_passes(oit, &ignored);
+    result = result != OIT_OK ? result : end;
+    end = oit_end(oit);
+    return result != OIT_OK ? result : end;
+}
+
+static const oit_desc operator_descs[] = {
+    {.fit = OIT_FIT_WAIT, .operators = OIT_OPERATE_ALL, .operator_fields = 2},
+    {.fit = OIT_FIT_ASYNC, .operators = OIT_OPERATE_ALL, .operator_fields = 4, .fields = OIT_FIELD_BLEND},
+    {.fit = OIT_FIT_ASYNC, .state = OIT_STATE_NONE, .operators = OIT_OPERATE_ALL, .operator_fields = 1},
+    {.fit = OIT_FIT_WAIT, .store = OIT_STORE_BUDGET, .layers = 5, .operators = OIT_OPERATE_ALL, .operator_fields = 1},
+    {.fit = OIT_FIT_WAIT, .store = OIT_STORE_BUCKETED, .layers = 5, .operators = OIT_OPERATE_ALL, .operator_fields = 1},
+};
+enum { OPERATOR_DESCS = sizeof operator_descs / sizeof operator_descs[0] };
+
+/* tear_down fails where a barrier was missing. Deep pixels make the links wide. */
+static void test_barriers_of_operators(void **state) {
+    (void)state;
+    for (int i = 0; i < 2 * OPERATOR_DESCS; ++i) {
+        driver.version = i & 1 ? "OpenGL ES 3.1 Mock" : "4.3.0 Mock";
+        oit_context *oit = make(operator_descs[i / 2]);
+        U program = host_operator(oit);
+        for (int run = 0; run < 4; ++run) {
+            set_totals(64 * 48 * 2, run < 2 ? 200 : 300);
+            assert_int_equal(operate_frame(oit, 31, run, program, NULL), OIT_OK);
+            driver.finished = driver.now;
+            assert_int_equal(driver.copy_target, 78);
+        }
+        if (operator_descs[i / 2].store == OIT_STORE_EXACT)
+            assert_true(oit->wide);
+        fake_DeleteProgram(program);
+        oit_destroy(oit);
+        assert_int_equal(driver.violations, 0);
+        driver.call_count = 0;
+    }
+}
+
+static int programs_made(const oit_context *oit) {
+    int made = 0;
+    for (int i = OIT_I_PROGRAM_SORT; i < OIT_I_PROGRAMS; ++i)
+        made += oit->programs[i] != 0;
+    return made;
+}
+
+/* What is not asked for is not stored, made or run. Bytes are counted by hand from the comments of OIT_OPERATE_*. */
+static void test_bytes_and_passes_of_operators(void **state) {
+    static const struct {
+        uint32_t operators;
+        int fields;
+        unsigned kinds; /* that are run */
+        int record, words, programs, passes;
+    } cases[] = {
+        {0, 0, 0, 16, 0, 0, 0},
+        {OIT_OPERATE_LAW, 0, 0, 16, 0, 0, 0},           /* chosen and not run: not made */
+        {OIT_OPERATE_LAW, 0, 2, 16, 2, 3, 2},           /* order, base; sort, law */
+        {0, 3, 16, 16, 4, 2, 2},                        /* order and fields; sort, the host's */
+        {OIT_OPERATE_LINKS, 0, 1, 24, 2, 4, 3},         /* order, links; sort, connect, mutual */
+        {OIT_OPERATE_CURVATURE, 0, 5 | 8, 24, 4, 0, 0}, /* SMART is not chosen */
+        {OIT_OPERATE_CURVATURE, 0, 1 | 8, 24, 4, 5, 4},
+        {OIT_OPERATE_SMART, 0, 1 | 4, 24, 5, 7, 3 + 2 + 20}, /* + given, bound, 20 iterations */
+        {OIT_OPERATE_SMART, 0, 1 | 2 | 4, 24, 5, 7, 3 + 2 + 20},
+        {OIT_OPERATE_SMART | OIT_OPERATE_CURVATURE, 1, 1 | 2 | 4 | 8 | 16, 24, 7, 8, 3 + 2 + 20 + 2},
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
+        oit_desc desc = {.operators = cases[i].operators, .operator_fields = cases[i].fields};
+        oit_context *oit = make(desc);
+        U program = oit_operator_glsl(oit, &(int){0}) ? host_operator(oit) : 0;
+        int counts[OIT_PASS_KIND_COUNT] = {0};
+        set_totals(6000, 7);
+        bool refused = cases[i].passes == 0 && cases[i].kinds != 0;
+        assert_int_equal(operate_frame(oit, cases[i].kinds, 0, program, counts),
+                         refused ? OIT_INVALID_ARGUMENT : OIT_OK);
+        assert_int_equal(oit_get_info(oit).fragment_bytes, cases[i].record);
+        if (!refused) {
+            int64_t bytes = cases[i].words ? 4 * (16 + (int64_t)cases[i].words * oit->capacity) : 0;
+            assert_int_equal(oit->sizes[OIT_I_SURFACE], bytes);
+            assert_int_equal(programs_made(oit), cases[i].programs);
+            assert_int_equal(counts[OIT_PASS_OPERATE], cases[i].passes);
+        }
+        fake_DeleteProgram(program);
+        oit_destroy(oit);
+        driver.call_count = 0;
+    }
+}
+
+/* Nothing is created or waited for once it has been run, and under OIT_STATE_NONE no state is touched. */
+static void test_steady_operators(void **state) {
+    static const char *const never[] = {"GenBuffers", "BufferData", "CreateShader", "CreateProgram", "BufferSubData"};
+    static const char *const raw[] = {"MemoryBarrier", "ProgramUniform4fv", "ProgramUniform4uiv", "FenceSync"};
+    (void)state;
+    for (int i = 0; i < 3; ++i) {
+        oit_context *oit = make(operator_descs[i]);
+        U program = host_operator(oit);
+        int kept = 0;
+        set_totals(6000, 30);
+        for (int run = 0; run < 8; ++run) {
+            int first = driver.call_count;
+            assert_int_equal(operate_frame(oit, 31, 1, program, NULL), OIT_OK);
+            driver.finished = driver.now;
+            for (size_t k = 0; k < sizeof never / sizeof never[0] && run > 4; ++k)
+                if (called_since(first, never[k]) && !(i == 0 && k == 4))
+                    fail_msg("%s in a steady frame", never[k]);
+            if (run == 4)
+                kept = allocations;
+        }
+        assert_int_equal(allocations, kept);
+        if (operator_descs[i].state == OIT_STATE_NONE) {
+            oit_frame f = frame_with_projection();
+            oit_pass pass;
+            assert_int_equal(oit_begin(oit, &f), OIT_OK);
+            draw_passes(oit, &(int){0});
+            int first = driver.call_count, passes = 0;
+            for (int kind = 0; kind < 5; ++kind) {
+                oit_operator op = operators_of(kind, 1, program);
+                assert_int_equal(oit_run(oit, &op), OIT_OK);
+                while (oit_next_pass(oit, &pass)) {
+                    assert_int_equal(pass.kind, OIT_PASS_OPERATE);
+                    assert_true(pass.state.program && pass.state.groups[0] && pass.barriers == 0x2000u);
+                    ++passes;
+                }
+            }
+            assert_true(passes > 10);
+            for (; first < driver.call_count; ++first) {
+                bool known = false;
+                for (size_t k = 0; k < sizeof raw / sizeof raw[0]; ++k)
+                    known = known || strcmp(driver.calls[first], raw[k]) == 0;
+                if (!known)
+                    fail_msg("%s under OIT_STATE_NONE", driver.calls[first]);
+            }
+            assert_int_equal(oit_compose(oit), OIT_OK);
+            draw_passes(oit, &passes);
+            assert_int_equal(oit_end(oit), OIT_OK);
+        }
+        fake_DeleteProgram(program);
+        oit_destroy(oit);
+        driver.call_count = 0;
+    }
+}
+
+static void expect_refusal(oit_context *oit, oit_operator op, oit_result expected, const char *text) {
+    driver.text[0] = 0;
+    assert_int_equal(oit_run(oit, &op), expected);
+    if (!strstr(driver.text, text))
+        fail_msg("\"%s\" is not in \"%s\"", text, driver.text);
+}
+
+/* What is refused, with the reason; the frame goes on. */
+static void test_operators_refused(void **state) {
+    oit_frame f = frame_with_projection();
+    oit_desc desc = {.operators = OIT_OPERATE_SMART | OIT_OPERATE_CURVATURE};
+    oit_operator op = {.kind = OIT_RUN_LINK};
+    const float bad_number = (float)(1e300 * 1e300);
+    (void)state;
+    set_totals(6000, 30);
+    oit_context *oit = make(desc);
+    expect_refusal(oit, op, OIT_WRONG_ORDER, "between oit_next_pass's 0 and oit_compose");
+    assert_int_equal(oit_run(NULL, &op), OIT_INVALID_ARGUMENT);
+    assert_int_equal(oit_begin(oit, &frame), OIT_OK);
+    expect_refusal(oit, op, OIT_WRONG_ORDER, "between oit_next_pass's 0 and oit_compose");
+    draw_passes(oit, &(int){0});
+    expect_refusal(oit, op, OIT_INVALID_ARGUMENT, "frame.projection is missing");
+    assert_int_equal(oit_compose(oit), OIT_OK);
+    expect_refusal(oit, op, OIT_WRONG_ORDER, "between");
+    assert_int_equal(oit_end(oit), OIT_OK);
+
+    assert_int_equal(oit_begin(oit, &f), OIT_OK);
+    draw_passes(oit, &(int){0});
+    expect_refusal(oit, (oit_operator){.kind = OIT_RUN_SMART}, OIT_WRONG_ORDER, "OIT_RUN_LINK comes before");
+    expect_refusal(oit, (oit_operator){.kind = OIT_RUN_CURVATURE}, OIT_WRONG_ORDER, "OIT_RUN_LINK comes before");
+    expect_refusal(oit, (oit_operator){.kind = OIT_RUN_LAW, .law = {.kind = OIT_LAW_VARIATION}}, OIT_WRONG_ORDER,
+                   "OIT_RUN_LINK comes before");
+    expect_refusal(oit, (oit_operator){.kind = OIT_RUN_LAW, .law = {.kind = OIT_LAW_DISTANCE}}, OIT_WRONG_ORDER,
+                   "OIT_RUN_SMART");
+    expect_refusal(oit, (oit_operator){.kind = (oit_run_kind)5}, OIT_INVALID_ARGUMENT, "kind is none");
+    expect_refusal(oit, (oit_operator){.kind = OIT_RUN_HOST}, OIT_INVALID_ARGUMENT, "host.program");
+    expect_refusal(oit, (oit_operator){.kind = OIT_RUN_HOST, .host = {.program = 5, .iterations = 1, .value = 4}},
+                   OIT_INVALID_ARGUMENT, "operator_fields");
+    expect_refusal(oit, (oit_operator){.link = {.criterion = OIT_LINK_UV}}, OIT_INVALID_ARGUMENT, "OIT_FIELD_UV");
+    expect_refusal(oit, (oit_operator){.link = {.search = OIT_SEARCH_BUCKETS}}, OIT_INVALID_ARGUMENT, "BUCKETS");
+    expect_refusal(oit, (oit_operator){.link = {.radius = -1}}, OIT_INVALID_ARGUMENT, "negative");
+    expect_refusal(oit, (oit_operator){.link = {.limit = bad_number}}, OIT_INVALID_ARGUMENT, "not finite");
+    expect_refusal(oit, (oit_operator){.kind = OIT_RUN_LAW, .law = {.s = 1.5f}}, OIT_INVALID_ARGUMENT, "above 1");
+    expect_refusal(oit, (oit_operator){.kind = OIT_RUN_CURVATURE, .curvature = {.unit = -1}}, OIT_INVALID_ARGUMENT,
+                   "negative");
+    op.kind = OIT_RUN_SMART;
+    op.smart.beta.process = OIT_PROCESS_DIFFUSION;
+    expect_refusal(oit, op, OIT_INVALID_ARGUMENT, "OIT_OPERATE_DIFFUSION");
+    op.smart.beta.process = OIT_PROCESS_DEFAULT;
+    op.smart.base.process = OIT_PROCESS_GREATEST;
+    expect_refusal(oit, op, OIT_INVALID_ARGUMENT, "diffusion alone");
+    op.smart.base.process = OIT_PROCESS_DEFAULT;
+    op.smart.gamma.iterations = 65534;
+    expect_refusal(oit, op, OIT_INVALID_ARGUMENT, "65533");
+    op.smart.gamma.iterations = 0;
+    op.smart.thin = 0.5f;
+    expect_refusal(oit, op, OIT_INVALID_ARGUMENT, "OIT_OPERATE_THIN");
+    assert_int_equal(oit_compose(oit), OIT_OK);
+    assert_int_equal(oit_end(oit), OIT_OK);
+    oit_destroy(oit);
+
+    /* Bands: neighbours would be in others. */
+    desc.ceiling_bytes = 64 * 24 * 9;
+    oit = make(desc);
+    set_totals(64 * 48 * 2, 2);
+    assert_int_equal(oit_begin(oit, &f), OIT_OK);
+    draw_passes(oit, &(int){0});
+    expect_refusal(oit, (oit_operator){.kind = OIT_RUN_LINK}, OIT_TOO_LARGE, "in bands");
+    assert_int_equal(oit_compose(oit), OIT_OK);
+    assert_int_equal(oit_end(oit), OIT_OK);
+    oit_destroy(oit);
+}
+
+static void test_operators_refused_at_creation(void **state) {
+    static const struct {
+        oit_desc desc;
+        const char *text;
+    } cases[] = {
+        {{.operators = 256}, "operators has bits"},
+        {{.operator_fields = 5}, "operator_fields"},
+        {{.operators = 1, .store = OIT_STORE_FETCH}, ""},
+        {{.operators = 1, .fields = OIT_FIELD_COVERAGE}, "OIT_FIELD_COVERAGE"},
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
+        oit_desc desc = cases[i].desc;
+        oit_result result;
+        desc.get_proc = get_proc;
+        desc.log_fn = on_log;
+        driver.text[0] = 0;
+        assert_null(oit_create(&desc, &result));
+        assert_int_equal(result, OIT_INVALID_ARGUMENT);
+        assert_non_null(strstr(driver.text, cases[i].text));
+    }
+}
+
+/* Every creation refused in turn: an error and a frame all the same, nothing left, and the next frame works. */
+static void test_operators_with_creations_refused(void **state) {
+    (void)state;
+    for (int i = 0; i < 3; ++i) {
+        long total = 1;
+        for (long refused = 1; refused <= total; ++refused) {
+            set_up(state);
+            oit_context *oit = make(operator_descs[i]);
+            U program = host_operator(oit);
+            set_totals(6000, 10);
+            driver.creations = 0;
+            driver.refuse_creation = refused;
+            oit_result result = operate_frame(oit, 31, 3, program, NULL);
+            if (result != OIT_OK)
+                assert_true(strlen(driver.text) > 0);
+            assert_int_equal(driver.copy_target, 78);
+            driver.finished = driver.now;
+            assert_int_equal(operate_frame(oit, 31, 3, program, NULL), OIT_OK);
+            if (driver.creations > total)
+                total = driver.creations;
+            fake_DeleteProgram(program);
+            oit_destroy(oit);
+            assert_int_equal(tear_down(state), 0);
+            memset(driver.buffers, 0, sizeof driver.buffers);
+        }
+        assert_true(total > 30);
+    }
+}
+
 #define DRIVER_TEST(name) cmocka_unit_test_setup_teardown(name, set_up, tear_down)
 
 int main(void) {
@@ -980,9 +1539,21 @@ int main(void) {
         DRIVER_TEST(test_every_creation_refused),
         DRIVER_TEST(test_shaders_that_fail),
         DRIVER_TEST(test_no_memory_mid_growth),
+        DRIVER_TEST(test_no_memory_for_growth_of_any_store),
+        DRIVER_TEST(test_predicted_frames),
+        DRIVER_TEST(test_fetched_frames),
+        DRIVER_TEST(test_no_memory_for_a_budget),
+        DRIVER_TEST(test_a_budget_reads_nothing_back),
+        DRIVER_TEST(test_passes_of_a_budget),
         DRIVER_TEST(test_pixel_deeper_than_the_ceiling),
         DRIVER_TEST(test_wrong_order_and_bad_frames),
         DRIVER_TEST(test_sizes),
+        DRIVER_TEST(test_barriers_of_operators),
+        DRIVER_TEST(test_bytes_and_passes_of_operators),
+        DRIVER_TEST(test_steady_operators),
+        DRIVER_TEST(test_operators_refused),
+        DRIVER_TEST(test_operators_refused_at_creation),
+        DRIVER_TEST(test_operators_with_creations_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
