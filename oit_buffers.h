@@ -214,6 +214,15 @@ enum {
     OIT_FIELD_COVERAGE = 32 /* which samples are covered: for multisampled targets; 4 bytes a pixel, too */
 };
 #define OIT_FIELD_ALL 63u
+
+/* What alpha a fragment is composed with. */
+typedef enum oit_alpha_law {
+    OIT_ALPHA_CONSTANT, /* its own */
+    OIT_ALPHA_ADAPTIVE /* 1 - (1 - its own)^(1/n), n the layers of the pixel: n layers of alpha s hide together what one
+                           would (Carnecky 2013, equation 5). Not layers: what is added or multiplied, what is opaque and
+                           what lies behind that, all of which keep their alpha. Takes the run once more through memory */
+} oit_alpha_law;
+
 #define OIT_MAX_SAMPLES 8
 #define OIT_MAX_HOST_WORDS 8
 
@@ -241,6 +250,7 @@ typedef struct oit_desc {
     int layers;            /* BUDGET, BUCKETED: keep no more of a pixel; 0: as many as the budget has room for */
     int bucket_depth_bits; /* BUCKETED: choose the nearest by so many bits of the depth, 16 or 32; 0: 32 */
     int sample_order; /* 1, with OIT_FIELD_COVERAGE: each sample is a fragment of its own; see MULTISAMPLED TARGETS */
+    oit_alpha_law alpha_law; /* ADAPTIVE knows all of a pixel's fragments, so not with BUDGET, BUCKETED */
 } oit_desc;
 
 typedef struct oit_info {
@@ -686,6 +696,9 @@ static const char *const oit_i_shader_oit_compose_frag[] = {
     "    if (n <= oit_above[OIT_INDEX] || n > uint(OIT_CLASS))\n"
     "        discard;\n"
     "#endif\n"
+    "#if OIT_ADAPTIVE\n"
+    "    oit_count_layers((start - oit_pool.y) * uint(OIT_VECTORS), n);\n"
+    "#endif\n"
     "    oit_lay_run((start - oit_pool.y) * uint(OIT_VECTORS), n);\n"
     "#if OIT_KEEPS\n"
     "    oit_lay_tail(p);\n"
@@ -715,6 +728,67 @@ static const char *const oit_i_shader_oit_compose_glsl[] = {
     "vec3 oit_sum = vec3(0.0);\n"
     "OIT_THROUGH oit_through = OIT_THROUGH(1.0);\n"
     "\n"
+    "#if OIT_ADAPTIVE\n"
+    "// Adaptive transparency (Carnecky 2013, equation 5): each of a pixel's n layers gets 1 - (1 - s)^(1/n), so that together they\n"
+    "// hide as much as one of opacity s, however many there are. Here s is a fragment's own alpha. Layers are what that changes:\n"
+    "// neither light that is added nor filters, nor what is opaque, nor what lies behind that.\n"
+    "float oit_layers = 1.0;\n"
+    "\n"
+    "// Alpha, where the record is laid over what is behind it, else 0; and how much of what is composed it covers.\n"
+    "float oit_over_alpha(uint at, out float part)\n"
+    "{\n"
+    "    uvec4 r, q;\n"
+    "    oit_load(at, r, q);\n"
+    "    part = 1.0;\n"
+    "#if OIT_COVERED == OIT_BY_SAMPLE\n"
+    "    part = float(OIT_COVERAGE_OF(OIT_SORTED_WORD(OIT_AT_COVERAGE)) >> uint(gl_SampleID) & 1u);\n"
+    "#elif OIT_COVERED == OIT_BY_SHARE\n"
+    "    part = OIT_SHARE(OIT_COVERAGE_OF(OIT_SORTED_WORD(OIT_AT_COVERAGE)));\n"
+    "#endif\n"
+    "#if OIT_HAS_BLEND && OIT_COLOR == OIT_COLOR_8\n"
+    "    if (OIT_SORTED_WORD(OIT_AT_COLOR) >> 30u != 0u)\n"
+    "        return 0.0;\n"
+    "#elif OIT_HAS_BLEND\n"
+    "    if ((OIT_SORTED_WORD(OIT_AT_BLEND) & 255u) != 0u)\n"
+    "        return 0.0;\n"
+    "#endif\n"
+    "    return oit_unpack_color(oit_color_words(r, q)).a;\n"
+    "}\n"
+    "\n"
+    "void oit_count_layers(uint base, uint n)\n"
+    "{\n"
+    "    uint wall = OIT_NONE;\n"
+    "    float part;\n"
+    "    for (uint i = 0u; i < n; ++i) {\n"
+    "        uint at = base + i * uint(OIT_VECTORS);\n"
+    "        if (oit_over_alpha(at, part) >= 1.0 && part == 1.0)\n"
+    "            wall = min(wall, oit_record_depth(at));\n"
+    "    }\n"
+    "    oit_layers = 0.0;\n"
+    "    for (uint i = 0u; i < n; ++i) {\n"
+    "        uint at = base + i * uint(OIT_VECTORS);\n"
+    "        float alpha = oit_over_alpha(at, part);\n"
+    "        if (alpha > 0.0 && alpha < 1.0 && oit_record_depth(at) < wall)\n"
+    "            oit_layers += part;\n"
+    "    }\n"
+    "}\n"
+    "\n"
+    "// 1 - (1 - alpha)^(1/n) = 1 - e^(log(1 - alpha) / n); by series where the plain functions lose their digits, or are none\n"
+    "// too good on some drivers: log(1 - a) = -2 artanh(a / (2 - a)).\n"
+    "float oit_adapt(float alpha)\n"
+    "{\n"
+    "    if (!(alpha > 0.0 && alpha < 1.0 && oit_layers > 1.0))\n"
+    "        return alpha;\n"
+    "    float z = alpha / (2.0 - alpha), y = z * z, t = log(1.0 - alpha);\n"
+    "    if (alpha < 0.5)\n"
+    "        t = -2.0 * z * (1.0 + y * (1.0 / 3.0 + y * (1.0 / 5.0 + y * (1.0 / 7.0 + y * (1.0 / 9.0 + y * (1.0 / 11.0 + y / 13.0))))));\n"
+    "    t /= oit_layers;\n"
+    "    if (t < -0.3)\n"
+    "        return 1.0 - exp(t);\n"
+    "    return -t * (1.0 + t / 2.0 * (1.0 + t / 3.0 * (1.0 + t / 4.0 * (1.0 + t / 5.0 * (1.0 + t / 6.0 * (1.0 + t / 7.0))))));\n"
+    "}\n"
+    "#endif\n"
+    "\n"
     "void oit_lay(uvec4 r, uvec4 q)\n"
     "{\n"
     "#if OIT_COVERED == OIT_BY_SAMPLE\n"
@@ -723,6 +797,17 @@ static const char *const oit_i_shader_oit_compose_glsl[] = {
     "#endif\n"
     "    uvec4 words = oit_color_words(r, q);\n"
     "    vec4 color = oit_unpack_color(words);\n"
+    "#if OIT_ADAPTIVE && OIT_HAS_BLEND && OIT_COLOR == OIT_COLOR_8\n"
+    "    float adapted = words.x >> 30u == 0u ? oit_adapt(color.a) : color.a;\n"
+    "#elif OIT_ADAPTIVE && OIT_HAS_BLEND\n"
+    "    float adapted = (OIT_SORTED_WORD(OIT_AT_BLEND) & 255u) == 0u ? oit_adapt(color.a) : color.a;\n"
+    "#elif OIT_ADAPTIVE\n"
+    "    float adapted = oit_adapt(color.a);\n"
+    "#endif\n"
+    "#if OIT_ADAPTIVE\n"
+    "    if (adapted != color.a)\n"
+    "        color = vec4(color.rgb * (OIT_PREMULTIPLIED == 1 ? adapted / color.a : 1.0), adapted);\n"
+    "#endif\n"
     "#if OIT_COVERED == OIT_BY_SHARE\n"
     "    color *= vec4(vec3(OIT_PREMULTIPLIED == 1 ? OIT_SHARE(OIT_COVERAGE_OF(OIT_SORTED_WORD(OIT_AT_COVERAGE))) : 1.0),\n"
     "                  OIT_SHARE(OIT_COVERAGE_OF(OIT_SORTED_WORD(OIT_AT_COVERAGE))));\n"
@@ -737,7 +822,8 @@ static const char *const oit_i_shader_oit_compose_glsl[] = {
     "    uint blend = words.x >> 30u;\n"
     "#else\n"
     "    uint blend = OIT_SORTED_WORD(OIT_AT_BLEND) & 255u;\n"
-    "#endif\n"
+    "#endif\n",
+    "#line 107\n"
     "    if (blend == 2u) { // multiply: seen through a filter of that colour\n"
     "        oit_through *= 1.0 - color.a + light;\n"
     "        return;\n"
@@ -828,6 +914,9 @@ static const char *const oit_i_shader_oit_depth_frag[] = {
     "    uint base, n, at = OIT_NONE;\n"
     "    if (!oit_find_run(uint(where.y) * uint(oit_area.z) + uint(where.x), base, n))\n"
     "        discard;\n"
+    "#if OIT_ADAPTIVE\n"
+    "    oit_count_layers(base, n);\n"
+    "#endif\n"
     "    for (uint i = 0u; i < n; ++i) {\n"
     "        at = oit_next(base, n, at);\n"
     "        oit_lay(at);\n"
@@ -1498,6 +1587,11 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "void oit_to_tail(uint p, uint count, oit_fragment f)\n"
     "{\n"
     "    float scale = exp2(float(26 - findMSB(count) - 1));\n"
+    "#if OIT_ADAPTIVE && OIT_HAS_BLEND // equation 5, all fragments of the pixel taken for layers\n"
+    "    scale /= f.color.a < 1.0 && f.blend == OIT_BLEND_OVER ? float(count) : 1.0;\n"
+    "#elif OIT_ADAPTIVE\n"
+    "    scale /= f.color.a < 1.0 ? float(count) : 1.0;\n"
+    "#endif\n"
     "    uvec4 parts = uvec4(oit_tail_parts(f) * scale + 0.5);\n"
     "    atomicAdd(oit_pixel[OIT_TAIL(p)], parts.r);\n"
     "    atomicAdd(oit_pixel[OIT_TAIL(p) + 1u], parts.g);\n"
@@ -2503,6 +2597,10 @@ static const char *oit_i_bad_member(const oit_desc *desc) {
         return "OIT_STORE_BUCKETED groups fragments by OIT_FIELD_PART, which is not chosen";
     if ((desc->fields & OIT_FIELD_COVERAGE) && desc->state == OIT_STATE_NONE)
         return "OIT_FIELD_COVERAGE does not go with OIT_STATE_NONE: samples are the target's, which is not asked there";
+    if ((unsigned)desc->alpha_law > (unsigned)OIT_ALPHA_ADAPTIVE)
+        return "alpha_law is none of its enumerators";
+    if (desc->alpha_law == OIT_ALPHA_ADAPTIVE && oit_i_keeps(desc))
+        return "OIT_ALPHA_ADAPTIVE goes with stores that keep every fragment";
     if (desc->sample_order && !(desc->fields & OIT_FIELD_COVERAGE))
         return "sample_order goes with OIT_FIELD_COVERAGE";
     if (desc->host_words < 0 || desc->host_words > OIT_MAX_HOST_WORDS)
@@ -2917,6 +3015,7 @@ static void oit_i_write_preamble(const oit_desc *desc, int es, char *at, size_t 
     oit_i_define(&text, "OIT_HAS_COVERAGE", (desc->fields & OIT_FIELD_COVERAGE) != 0);
     oit_i_define(&text, "OIT_POST_DEPTH", !desc->sample_order);
     oit_i_define(&text, "OIT_ES", es != 0);
+    oit_i_define(&text, "OIT_ADAPTIVE", desc->alpha_law == OIT_ALPHA_ADAPTIVE);
     oit_i_define(&text, "OIT_HOST_WORDS", desc->host_words);
     oit_i_define(&text, "OIT_LANES", record.lanes);
     oit_i_define(&text, "OIT_VECTORS", record.words / record.lanes);
