@@ -146,6 +146,8 @@ static bool dump_all_oit(const char *folder) {
         {.fit = OIT_FIT_ASYNC, .fields = OIT_FIELD_ALL, .color = OIT_COLOR_HALF, .host_words = 3, .reversed_z = 1},
         {.fit = OIT_FIT_ASYNC, .fields = OIT_FIELD_BLEND, .color = OIT_COLOR_FLOAT, .premultiplied = 1},
         {.fit = OIT_FIT_WAIT, .fields = OIT_FIELD_BLEND | OIT_FIELD_KEY},
+        {.fields = OIT_FIELD_COVERAGE | OIT_FIELD_BLEND, .sample_order = 1, .alpha_law = OIT_ALPHA_ADAPTIVE},
+        {.fit = OIT_FIT_ASYNC, .color = OIT_COLOR_FLOAT, .premultiplied = 1, .alpha_law = OIT_ALPHA_ADAPTIVE},
     };
     bool ok = true;
     for (int i = 0; ok && i < (int)(sizeof descs / sizeof descs[0]); ++i)
