@@ -8,15 +8,17 @@
    - loses nothing: with OIT_FIT_WAIT the buffer is made to fit, and over its ceiling the picture is drawn in bands. With
      OIT_FIT_ASYNC it never waits for the GPU: pixels that do not fit for a frame are composed from sums that do not
      depend on the order either, are counted, and fit in the frames after
-   - blends by fragment: over, additive, multiply
+   - blends by fragment: over, additive, multiply; with each fragment's own alpha, or so that all layers of a pixel hide
+     together what one would, however many they are
+   - draws into multisampled targets: order by pixel, coverage and the host's opaque depth by sample
+   - tells which fragment lies at a pixel and a layer, and writes one depth for all of them, for passes that come after
    - works with the host's own shaders through one function call, and has shaders for hosts that have none
    - leaves the GL state as found, or tells the host which state each pass wants
 
    DOES NOT
    - create a context, or run where there are no compute shaders: macOS and WebGL 2 stay with transparency.h
-   - draw into multisampled targets: oit_begin returns OIT_TARGET_MULTISAMPLED
    - keep the k nearest fragments only, or fill in one geometry pass: version 0.2 has the exact store, two geometry passes
-   - find neighbours along surfaces, pick through layers or write a depth of the composite
+   - find neighbours along surfaces
 
    QUICK START, given a current context and its getter of function pointers
 
@@ -84,7 +86,7 @@
    GL STATE CONTRACT
    oit_create only asks: no state is changed and no object is made. Between oit_begin and oit_end the header owns the state
    of the context; the host draws its transparent objects with what each pass has set. The target's own depth, written
-   before by the host, hides fragments; it is tested and never written. Culling is off, because both sides of a surface
+   before by the host, hides fragments; it is tested, and written only where oit_frame.depth asks for it. Culling is off, because both sides of a surface
    are layers: a host that wants otherwise switches it on after oit_next_pass. desc.state says what happens around that:
    - OIT_STATE_RESTORE         all that a frame changed is as it was after oit_end (the list is oit_i_snapshot)
    - OIT_STATE_LEAVE_DEFAULTS  that state has the values of a fresh context, framebuffer 0
@@ -92,8 +94,8 @@
    - OIT_STATE_NONE            no state call is made between oit_begin and oit_end, but for memory barriers and the fence:
                                pass.state holds what the host sets, and the passes that are not the host's (those with
                                groups or a vertex_count) come to it as well. It needs OIT_FIT_ASYNC
-   Not touched, and expected to be at rest: conditional rendering, transform feedback, sample shading, clip control's
-   origin. The alpha channel of the target is not written, and of several draw buffers only the first; ES before 3.2 has
+   Not touched, and expected to be at rest: conditional rendering, transform feedback. GL_FRAMEBUFFER_SRGB is the host's
+   choice: on, with an sRGB target, colours are taken for light. The alpha channel of the target is not written, and of several draw buffers only the first; ES before 3.2 has
    no mask by buffer: give it a framebuffer with one. glGetError is never called. Where memory runs out, GL_OUT_OF_MEMORY
    is left for the host to find; the header itself goes by the size that the buffer has.
 
@@ -101,7 +103,7 @@
    Every function that can fail returns an oit_result and logs through desc.log_fn. Where something fails between oit_begin
    and oit_end, oit_next_pass returns 0 and oit_compose and oit_end return the reason; oit_end restores the state even so,
    and the next frame may be tried. One heap block a context, and one more for the time that a shader is made. On the GPU:
-   8 bytes a pixel (24 with OIT_FIT_ASYNC), and oit_get_info().fragment_bytes a fragment, a quarter more of them than the
+   8 bytes a pixel (24 with OIT_FIT_ASYNC; 4 more with OIT_FIELD_COVERAGE), and oit_get_info().fragment_bytes a fragment, a quarter more of them than the
    last frame needed. One context of ours for one GL context, used from the thread that has it current.
 
    RECIPES
@@ -114,6 +116,22 @@
    - Particles and tinted glass: OIT_FIELD_BLEND, and fragment.blend = OIT_BLEND_ADD or OIT_BLEND_MULTIPLY.
    - A stable order where surfaces coincide: OIT_FIELD_PART with the object's number.
    - What a frame needed: oit_get_report. In games look at lost_pixels now and then.
+   - What is under the cursor: oit_pick_begin(oit, x, y, layer) at any time, and oit_pick_result(oit, 0, &pick) in the
+     frames after until it is not OIT_NOT_READY; that never waits. In a tool: draw the frame, then wait with 1.
+   - Fog, depth of field, temporal anti-aliasing after glass: frame.depth = OIT_DEPTH_MEDIAN, and frame.depth_framebuffer
+     the target itself, or a framebuffer with a copy of the opaque depth.
+   - Surfaces with many layers that must not turn into a wall: desc.alpha_law = OIT_ALPHA_ADAPTIVE.
+
+   MULTISAMPLED TARGETS
+   With OIT_FIELD_COVERAGE, of 2 to OIT_MAX_SAMPLES samples. A fragment is stored once a pixel with the samples that it
+   covers and that the host's depth leaves of them; its place in the order is its depth at the middle of those. Where all
+   fragments of a pixel cover all of it, it is composed once, else once a sample (each inner edge of a mesh is such an
+   edge). Surfaces that cross within a pixel are in one order there. desc.sample_order stores each sample by itself
+   instead: order and depth by sample, for as many times the fragments. It is also what is done where the driver does not
+   tell which samples the depth test leaves (GL_ARB_post_depth_coverage, GL_EXT_post_depth_coverage in ES). ES needs
+   GL_OES_sample_variables; oit_create says so. There is no OIT_STATE_NONE for it. In ES, call oit_store where control
+   flow is uniform: it takes derivatives of the depth. The depth of the composite is one a pixel, in which a fragment
+   hides by the share of samples that it covers, as it does in the tail.
 
    LIMITS AND PRECISION
    - Depths are gl_FragCoord.z in 32 bits: layers are told apart down to one unit in the last place.
