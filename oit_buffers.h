@@ -11,14 +11,16 @@
    - or, with OIT_STORE_BUDGET, takes no more memory than it is given and never waits: the k nearest fragments of each
      pixel, chosen by set and not by arrival, and sums of the others behind them; what was lost is counted.
      OIT_STORE_BUCKETED also groups them by part (Murray, Baril, Granier 2016)
-   - blends by fragment: over, additive, multiply
+   - blends by fragment: over, additive, multiply; with each fragment's own alpha, or so that all layers of a pixel hide
+     together what one would, however many they are
+   - draws into multisampled targets: order by pixel, coverage and the host's opaque depth by sample
+   - tells which fragment lies at a pixel and a layer, and writes one depth for all of them, for passes that come after
    - works with the host's own shaders through one function call, and has shaders for hosts that have none
    - leaves the GL state as found, or tells the host which state each pass wants
 
    DOES NOT
    - create a context, or run where there are no compute shaders: macOS and WebGL 2 stay with transparency.h
-   - draw into multisampled targets: oit_begin returns OIT_TARGET_MULTISAMPLED
-   - find neighbours along surfaces, pick through layers or write a depth of the composite
+   - find neighbours along surfaces
 
    QUICK START, given a current context and its getter of function pointers
 
@@ -86,7 +88,7 @@
    GL STATE CONTRACT
    oit_create only asks: no state is changed and no object is made. Between oit_begin and oit_end the header owns the state
    of the context; the host draws its transparent objects with what each pass has set. The target's own depth, written
-   before by the host, hides fragments; it is tested and never written. Culling is off, because both sides of a surface
+   before by the host, hides fragments; it is tested, and written only where oit_frame.depth asks for it. Culling is off, because both sides of a surface
    are layers: a host that wants otherwise switches it on after oit_next_pass. desc.state says what happens around that:
    - OIT_STATE_RESTORE         all that a frame changed is as it was after oit_end (the list is oit_i_snapshot)
    - OIT_STATE_LEAVE_DEFAULTS  that state has the values of a fresh context, framebuffer 0
@@ -94,8 +96,8 @@
    - OIT_STATE_NONE            no state call is made between oit_begin and oit_end, but for memory barriers and the fence:
                                pass.state holds what the host sets, and the passes that are not the host's (those with
                                groups or a vertex_count) come to it as well. It needs OIT_FIT_ASYNC
-   Not touched, and expected to be at rest: conditional rendering, transform feedback, sample shading, clip control's
-   origin. The alpha channel of the target is not written, and of several draw buffers only the first; ES before 3.2 has
+   Not touched, and expected to be at rest: conditional rendering, transform feedback. GL_FRAMEBUFFER_SRGB is the host's
+   choice: on, with an sRGB target, colours are taken for light. The alpha channel of the target is not written, and of several draw buffers only the first; ES before 3.2 has
    no mask by buffer: give it a framebuffer with one. glGetError is never called. Where memory runs out, GL_OUT_OF_MEMORY
    is left for the host to find; the header itself goes by the size that the buffer has.
 
@@ -103,8 +105,9 @@
    Every function that can fail returns an oit_result and logs through desc.log_fn. Where something fails between oit_begin
    and oit_end, oit_next_pass returns 0 and oit_compose and oit_end return the reason; oit_end restores the state even so,
    and the next frame may be tried. One heap block a context, and one more for the time that a shader is made. On the GPU:
-   8 bytes a pixel (24 with OIT_FIT_ASYNC), and oit_get_info().fragment_bytes a fragment, a quarter more of them than the
-   last frame needed. With OIT_STORE_BUDGET and OIT_STORE_BUCKETED 40 bytes a pixel and desc.budget_bytes. One context of ours for one GL context, used from the thread that has it current.
+   8 bytes a pixel (24 with OIT_FIT_ASYNC; 4 more with OIT_FIELD_COVERAGE), and oit_get_info().fragment_bytes a fragment,
+   a quarter more of them than the last frame needed. With OIT_STORE_BUDGET and OIT_STORE_BUCKETED 40 bytes a pixel and
+   desc.budget_bytes. One context of ours for one GL context, used from the thread that has it current.
 
    STORES, desc.store
    They differ in geometry passes, memory and what happens when there is too much; the layers of a pixel come in the
@@ -135,6 +138,22 @@
    - What a frame needed: oit_get_report. In games look at lost_pixels now and then.
    - A fixed price whatever is drawn: OIT_STORE_BUDGET; desc.layers bounds k where the budget would give more. With
      OIT_STORE_BUCKETED and 16 bits of depth the count pass chooses by part as well: set fragment.part there too.
+   - What is under the cursor: oit_pick_begin(oit, x, y, layer) at any time, and oit_pick_result(oit, 0, &pick) in the
+     frames after until it is not OIT_NOT_READY; that never waits. In a tool: draw the frame, then wait with 1.
+   - Fog, depth of field, temporal anti-aliasing after glass: frame.depth = OIT_DEPTH_MEDIAN, and frame.depth_framebuffer
+     the target itself, or a framebuffer with a copy of the opaque depth.
+   - Surfaces with many layers that must not turn into a wall: desc.alpha_law = OIT_ALPHA_ADAPTIVE.
+
+   MULTISAMPLED TARGETS
+   With OIT_FIELD_COVERAGE, of 2 to OIT_MAX_SAMPLES samples. A fragment is stored once a pixel with the samples that it
+   covers and that the host's depth leaves of them; its place in the order is its depth at the middle of those. Where all
+   fragments of a pixel cover all of it, it is composed once, else once a sample (each inner edge of a mesh is such an
+   edge). Surfaces that cross within a pixel are in one order there. desc.sample_order stores each sample by itself
+   instead: order and depth by sample, for as many times the fragments. It is also what is done where the driver does not
+   tell which samples the depth test leaves (GL_ARB_post_depth_coverage, GL_EXT_post_depth_coverage in ES). ES needs
+   GL_OES_sample_variables; oit_create says so. There is no OIT_STATE_NONE for it. In ES, call oit_store where control
+   flow is uniform: it takes derivatives of the depth. The depth of the composite is one a pixel, in which a fragment
+   hides by the share of samples that it covers, as it does in the tail.
 
    LIMITS AND PRECISION
    - Depths are gl_FragCoord.z in 32 bits: layers are told apart down to one unit in the last place.
@@ -240,6 +259,15 @@ enum {
     OIT_FIELD_COVERAGE = 32 /* which samples are covered: for multisampled targets; 4 bytes a pixel, too */
 };
 #define OIT_FIELD_ALL 63u
+
+/* What alpha a fragment is composed with. */
+typedef enum oit_alpha_law {
+    OIT_ALPHA_CONSTANT, /* its own */
+    OIT_ALPHA_ADAPTIVE /* 1 - (1 - its own)^(1/n), n the layers of the pixel: n layers of alpha s hide together what one
+                           would (Carnecky 2013, equation 5). Not layers: what is added or multiplied, what is opaque and
+                           what lies behind that, all of which keep their alpha. Takes the run once more through memory */
+} oit_alpha_law;
+
 #define OIT_MAX_SAMPLES 8
 #define OIT_MAX_HOST_WORDS 8
 
@@ -273,6 +301,7 @@ typedef struct oit_desc {
     int sample_order; /* 1, with OIT_FIELD_COVERAGE: each sample is a fragment of its own; see MULTISAMPLED TARGETS */
     int headroom; /* OIT_STORE_PREDICT: places that a pixel gets beyond those that it or a neighbour needed in the frame
                      before, in sixteenths, rounded up; at most 64; 0: default 2; negative: none */
+    oit_alpha_law alpha_law; /* ADAPTIVE knows all of a pixel's fragments, so not with BUDGET, BUCKETED */
 } oit_desc;
 
 typedef struct oit_info {
@@ -775,6 +804,9 @@ static const char *const oit_i_shader_oit_compose_frag[] = {
     "    if (n <= oit_above[OIT_INDEX] || n > uint(OIT_CLASS))\n"
     "        discard;\n"
     "#endif\n"
+    "#if OIT_ADAPTIVE\n"
+    "    oit_count_layers((start - oit_pool.y) * uint(OIT_VECTORS), n);\n"
+    "#endif\n"
     "    oit_lay_run((start - oit_pool.y) * uint(OIT_VECTORS), n);\n"
     "#if OIT_KEEPS\n"
     "    oit_lay_tail(p);\n"
@@ -804,6 +836,67 @@ static const char *const oit_i_shader_oit_compose_glsl[] = {
     "vec3 oit_sum = vec3(0.0);\n"
     "OIT_THROUGH oit_through = OIT_THROUGH(1.0);\n"
     "\n"
+    "#if OIT_ADAPTIVE\n"
+    "// Adaptive transparency (Carnecky 2013, equation 5): each of a pixel's n layers gets 1 - (1 - s)^(1/n), so that together they\n"
+    "// hide as much as one of opacity s, however many there are. Here s is a fragment's own alpha. Layers are what that changes:\n"
+    "// neither light that is added nor filters, nor what is opaque, nor what lies behind that.\n"
+    "float oit_layers = 1.0;\n"
+    "\n"
+    "// Alpha, where the record is laid over what is behind it, else 0; and how much of what is composed it covers.\n"
+    "float oit_over_alpha(uint at, out float part)\n"
+    "{\n"
+    "    uvec4 r, q;\n"
+    "    oit_load(at, r, q);\n"
+    "    part = 1.0;\n"
+    "#if OIT_COVERED == OIT_BY_SAMPLE\n"
+    "    part = float(OIT_COVERAGE_OF(OIT_SORTED_WORD(OIT_AT_COVERAGE)) >> uint(gl_SampleID) & 1u);\n"
+    "#elif OIT_COVERED == OIT_BY_SHARE\n"
+    "    part = OIT_SHARE(OIT_COVERAGE_OF(OIT_SORTED_WORD(OIT_AT_COVERAGE)));\n"
+    "#endif\n"
+    "#if OIT_HAS_BLEND && OIT_COLOR == OIT_COLOR_8\n"
+    "    if (OIT_SORTED_WORD(OIT_AT_COLOR) >> 30u != 0u)\n"
+    "        return 0.0;\n"
+    "#elif OIT_HAS_BLEND\n"
+    "    if ((OIT_SORTED_WORD(OIT_AT_BLEND) & 255u) != 0u)\n"
+    "        return 0.0;\n"
+    "#endif\n"
+    "    return oit_unpack_color(oit_color_words(r, q)).a;\n"
+    "}\n"
+    "\n"
+    "void oit_count_layers(uint base, uint n)\n"
+    "{\n"
+    "    uint wall = OIT_NONE;\n"
+    "    float part;\n"
+    "    for (uint i = 0u; i < n; ++i) {\n"
+    "        uint at = base + i * uint(OIT_VECTORS);\n"
+    "        if (oit_over_alpha(at, part) >= 1.0 && part == 1.0)\n"
+    "            wall = min(wall, oit_record_depth(at));\n"
+    "    }\n"
+    "    oit_layers = 0.0;\n"
+    "    for (uint i = 0u; i < n; ++i) {\n"
+    "        uint at = base + i * uint(OIT_VECTORS);\n"
+    "        float alpha = oit_over_alpha(at, part);\n"
+    "        if (alpha > 0.0 && alpha < 1.0 && oit_record_depth(at) < wall)\n"
+    "            oit_layers += part;\n"
+    "    }\n"
+    "}\n"
+    "\n"
+    "// 1 - (1 - alpha)^(1/n) = 1 - e^(log(1 - alpha) / n); by series where the plain functions lose their digits, or are none\n"
+    "// too good on some drivers: log(1 - a) = -2 artanh(a / (2 - a)).\n"
+    "float oit_adapt(float alpha)\n"
+    "{\n"
+    "    if (!(alpha > 0.0 && alpha < 1.0 && oit_layers > 1.0))\n"
+    "        return alpha;\n"
+    "    float z = alpha / (2.0 - alpha), y = z * z, t = log(1.0 - alpha);\n"
+    "    if (alpha < 0.5)\n"
+    "        t = -2.0 * z * (1.0 + y * (1.0 / 3.0 + y * (1.0 / 5.0 + y * (1.0 / 7.0 + y * (1.0 / 9.0 + y * (1.0 / 11.0 + y / 13.0))))));\n"
+    "    t /= oit_layers;\n"
+    "    if (t < -0.3)\n"
+    "        return 1.0 - exp(t);\n"
+    "    return -t * (1.0 + t / 2.0 * (1.0 + t / 3.0 * (1.0 + t / 4.0 * (1.0 + t / 5.0 * (1.0 + t / 6.0 * (1.0 + t / 7.0))))));\n"
+    "}\n"
+    "#endif\n"
+    "\n"
     "void oit_lay(uvec4 r, uvec4 q)\n"
     "{\n"
     "#if OIT_COVERED == OIT_BY_SAMPLE\n"
@@ -812,6 +905,17 @@ static const char *const oit_i_shader_oit_compose_glsl[] = {
     "#endif\n"
     "    uvec4 words = oit_color_words(r, q);\n"
     "    vec4 color = oit_unpack_color(words);\n"
+    "#if OIT_ADAPTIVE && OIT_HAS_BLEND && OIT_COLOR == OIT_COLOR_8\n"
+    "    float adapted = words.x >> 30u == 0u ? oit_adapt(color.a) : color.a;\n"
+    "#elif OIT_ADAPTIVE && OIT_HAS_BLEND\n"
+    "    float adapted = (OIT_SORTED_WORD(OIT_AT_BLEND) & 255u) == 0u ? oit_adapt(color.a) : color.a;\n"
+    "#elif OIT_ADAPTIVE\n"
+    "    float adapted = oit_adapt(color.a);\n"
+    "#endif\n"
+    "#if OIT_ADAPTIVE\n"
+    "    if (adapted != color.a)\n"
+    "        color = vec4(color.rgb * (OIT_PREMULTIPLIED == 1 ? adapted / color.a : 1.0), adapted);\n"
+    "#endif\n"
     "#if OIT_COVERED == OIT_BY_SHARE\n"
     "    color *= vec4(vec3(OIT_PREMULTIPLIED == 1 ? OIT_SHARE(OIT_COVERAGE_OF(OIT_SORTED_WORD(OIT_AT_COVERAGE))) : 1.0),\n"
     "                  OIT_SHARE(OIT_COVERAGE_OF(OIT_SORTED_WORD(OIT_AT_COVERAGE))));\n"
@@ -826,7 +930,8 @@ static const char *const oit_i_shader_oit_compose_glsl[] = {
     "    uint blend = words.x >> 30u;\n"
     "#else\n"
     "    uint blend = OIT_SORTED_WORD(OIT_AT_BLEND) & 255u;\n"
-    "#endif\n"
+    "#endif\n",
+    "#line 107\n"
     "    if (blend == 2u) { // multiply: seen through a filter of that colour\n"
     "        oit_through *= 1.0 - color.a + light;\n"
     "        return;\n"
@@ -919,6 +1024,9 @@ static const char *const oit_i_shader_oit_depth_frag[] = {
     "    uint base, n, at = OIT_NONE;\n"
     "    if (!oit_find_run(uint(where.y) * uint(oit_area.z) + uint(where.x), base, n))\n"
     "        discard;\n"
+    "#if OIT_ADAPTIVE\n"
+    "    oit_count_layers(base, n);\n"
+    "#endif\n"
     "    for (uint i = 0u; i < n; ++i) {\n"
     "        at = oit_next(base, n, at);\n"
     "        oit_lay(at);\n"
@@ -1910,6 +2018,11 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "void oit_to_tail(uint p, uint count, oit_fragment f)\n"
     "{\n"
     "    float scale = exp2(float(26 - findMSB(count) - 1));\n"
+    "#if OIT_ADAPTIVE && OIT_HAS_BLEND // equation 5, all fragments of the pixel taken for layers\n"
+    "    scale /= f.color.a < 1.0 && f.blend == OIT_BLEND_OVER ? float(count) : 1.0;\n"
+    "#elif OIT_ADAPTIVE\n"
+    "    scale /= f.color.a < 1.0 ? float(count) : 1.0;\n"
+    "#endif\n"
     "    uvec4 parts = uvec4(oit_tail_amounts(oit_finite(f.color), OIT_BLEND_OF(f), OIT_COVERED_NOW) * scale + 0.5);\n"
     "    atomicAdd(oit_pixel[OIT_TAIL(p)], parts.r);\n"
     "    atomicAdd(oit_pixel[OIT_TAIL(p) + 1u], parts.g);\n"
@@ -1982,14 +2095,14 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "#if OIT_STORE == OIT_LINKED\n"
     "    if (OIT_DIRECT || left - 1u < oit_pool.z)\n"
     "        oit_insert(p, f);\n"
-    "    else\n"
+    "    else\n",
+    "#line 359\n"
     "        atomicAdd(oit_pixel[OIT_EXTRA], 1u);\n"
     "#else\n"
     "    // Nothing is written outside of the run, however many fragments come: after as many as were counted, what is left is\n"
     "    // 0, and then wraps to more than any pool holds.\n"
     "    uint w[OIT_VECTORS * OIT_LANES];\n"
-    "    oit_pack(f, w);\n",
-    "#line 360\n"
+    "    oit_pack(f, w);\n"
     "    uint slot = oit_pixel[OIT_START(p)] + left - 1u - oit_pool.y;\n"
     "    if (left - 1u >= oit_pool.z || slot >= oit_pool.z) {\n"
     "#if OIT_STORE != OIT_PREDICT\n"
@@ -3086,6 +3199,10 @@ static const char *oit_i_bad_member(const oit_desc *desc) {
         return "OIT_STORE_BUCKETED groups fragments by OIT_FIELD_PART, which is not chosen";
     if ((desc->fields & OIT_FIELD_COVERAGE) && desc->state == OIT_STATE_NONE)
         return "OIT_FIELD_COVERAGE does not go with OIT_STATE_NONE: samples are the target's, which is not asked there";
+    if ((unsigned)desc->alpha_law > (unsigned)OIT_ALPHA_ADAPTIVE)
+        return "alpha_law is none of its enumerators";
+    if (desc->alpha_law == OIT_ALPHA_ADAPTIVE && oit_i_keeps(desc))
+        return "OIT_ALPHA_ADAPTIVE goes with stores that keep every fragment";
     if (desc->sample_order && !(desc->fields & OIT_FIELD_COVERAGE))
         return "sample_order goes with OIT_FIELD_COVERAGE";
     if (desc->host_words < 0 || desc->host_words > OIT_MAX_HOST_WORDS)
@@ -3510,6 +3627,7 @@ static void oit_i_write_preamble(const oit_desc *desc, int es, char *at, size_t 
     oit_i_define(&text, "OIT_HAS_COVERAGE", (desc->fields & OIT_FIELD_COVERAGE) != 0);
     oit_i_define(&text, "OIT_POST_DEPTH", !desc->sample_order);
     oit_i_define(&text, "OIT_ES", es != 0);
+    oit_i_define(&text, "OIT_ADAPTIVE", desc->alpha_law == OIT_ALPHA_ADAPTIVE);
     oit_i_define(&text, "OIT_HOST_WORDS", desc->host_words);
     oit_i_define(&text, "OIT_LANES", record.lanes);
     oit_i_define(&text, "OIT_VECTORS", record.words / record.lanes);

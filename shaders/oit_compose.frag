@@ -76,6 +76,9 @@ void main()
     if (n <= oit_above[OIT_INDEX] || n > uint(OIT_CLASS))
         discard;
 #endif
+#if OIT_ADAPTIVE
+    oit_count_layers((start - oit_pool.y) * uint(OIT_VECTORS), n);
+#endif
     oit_lay_run((start - oit_pool.y) * uint(OIT_VECTORS), n);
 #if OIT_KEEPS
     oit_lay_tail(p);
