@@ -973,7 +973,7 @@ static const char *const oit_i_shader_oit_frame_block_glsl[] = {
     "    highp uvec4 oit_step;  // x: 1 with the first slab of a frame, y: what is deeper is left to the program for all depths,\n"
     "                           // w: k of the stores that keep the k nearest; of others 1 where the fragments are stored before\n"
     "                           // they are counted, 2 where they are stored again; of fetch how many passes there are, if known\n"
-    "    highp uvec4 oit_above; // what is not deeper than this is left to the program before: of up to 8, 16, 32, 64\n"
+    "    highp uvec4 oit_above; // what is not deeper than this is left to the program before: of up to 8, 16, 32\n"
     "    highp vec4 oit_light;  // xyz: toward the light, unit length; zero: no shading. w: weight of the background\n"
     "    highp vec4 oit_output; // x: transmittance below which the depth of the composite is taken\n"
     "    highp ivec4 oit_part;          // x, y of the corner in the target, width and height of what is filled and composed now\n"
@@ -991,7 +991,7 @@ static const char *const oit_i_shader_oit_frame_block_glsl[] = {
     "#define OIT_EXTRA 4u       // fragments that the fill met and the count had not\n"
     "#define OIT_TOTAL 5u       // fragments of this slab\n"
     "#define OIT_TAKEN 6u       // OIT_STORE_LINKED: records taken of the list\n"
-    "#define OIT_PIXELS 8u      // from here on, by power of two: pixels of up to 8, 16, 32, 64 fragments, and of more\n"
+    "#define OIT_PIXELS 8u      // from here on, by power of two: pixels of up to 8, 16, 32 fragments, and of more\n"
     "#define OIT_HEADER 16u\n"
     "#define OIT_START(p) (OIT_HEADER + 2u * (p))\n"
     "#define OIT_LEFT(p) (OIT_HEADER + 1u + 2u * (p))\n"
@@ -1117,7 +1117,7 @@ static const char *const oit_i_shader_oit_keep_comp[] = {
     "layout(local_size_x = 128) in;\n"
     "layout(std430, binding = OIT_BINDING_PIXELS) buffer oit_pixels { uint oit_pixel[]; };\n"
     "shared uint oit_all[5];     // needed, deepest, lost pixels, lost fragments\n"
-    "shared uint oit_classes[5]; // pixels by how many fragments are kept\n"
+    "shared uint oit_classes[4]; // pixels by how many fragments are kept\n"
     "\n"
     "uint oit_kept(uint p, uint count)\n"
     "{\n"
@@ -1145,14 +1145,14 @@ static const char *const oit_i_shader_oit_keep_comp[] = {
     "    atomicAdd(oit_all[2], kept < count ? 1u : 0u);\n"
     "    atomicAdd(oit_all[3], count - kept);\n"
     "    if (kept > 0u)\n"
-    "        atomicAdd(oit_classes[kept <= 8u ? 0u : min(uint(findMSB(kept - 1u)) - 2u, 4u)], 1u);\n"
+    "        atomicAdd(oit_classes[kept <= 8u ? 0u : min(uint(findMSB(kept - 1u)) - 2u, 3u)], 1u);\n"
     "}\n"
     "\n"
     "void main()\n"
     "{\n"
     "    uint block = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;\n"
     "    uint self = gl_LocalInvocationID.x;\n"
-    "    if (self < 5u)\n"
+    "    if (self < 4u)\n"
     "        oit_all[self] = oit_classes[self] = 0u;\n"
     "    barrier();\n"
     "    for (uint i = 0u; i < 8u; ++i) {\n"
@@ -1161,7 +1161,7 @@ static const char *const oit_i_shader_oit_keep_comp[] = {
     "            oit_keep_nearest(p);\n"
     "    }\n"
     "    barrier();\n"
-    "    if (self < 5u && oit_classes[self] > 0u)\n"
+    "    if (self < 4u && oit_classes[self] > 0u)\n"
     "        atomicAdd(oit_pixel[OIT_PIXELS + self], oit_classes[self]);\n"
     "    if (self == 0u && block == 0u)\n"
     "        oit_pixel[OIT_START(oit_pool.x)] = oit_pool.x * OIT_LAYERS;\n"
@@ -1506,7 +1506,7 @@ static const char *const oit_i_shader_oit_scan_glsl[] = {
     "// 0 for up to 8, then one more for each doubling.\n"
     "uint oit_class(uint count)\n"
     "{\n"
-    "    return count <= 8u ? 0u : min(uint(findMSB(count - 1u)) - 2u, 4u);\n"
+    "    return count <= 8u ? 0u : min(uint(findMSB(count - 1u)) - 2u, 3u);\n"
     "}\n"
     "#ifdef OIT_SCANS\n"
     "shared uint oit_scanned[128];\n"
@@ -2038,14 +2038,14 @@ static const char *const oit_i_shader_oit_sum_comp[] = {
     "layout(std430, binding = OIT_BINDING_PIXELS) buffer oit_pixels { uint oit_pixel[]; };\n"
     "shared uint oit_sums[128];\n"
     "shared uint oit_most[128];\n"
-    "shared uint oit_classes[5];\n"
+    "shared uint oit_classes[4];\n"
     "\n"
     "void main()\n"
     "{\n"
     "    uint block = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;\n"
     "    uint self = gl_LocalInvocationID.x;\n"
     "    uint sum = 0u, most = 0u;\n"
-    "    if (self < 5u)\n"
+    "    if (self < 4u)\n"
     "        oit_classes[self] = 0u;\n"
     "    barrier();\n"
     "    for (uint i = 0u; i < 8u; ++i) {\n"
@@ -2067,7 +2067,7 @@ static const char *const oit_i_shader_oit_sum_comp[] = {
     "        barrier();\n"
     "    }\n"
     "    bool known = OIT_STORE != OIT_PREDICT || !OIT_DIRECT; // what is only guessed is not reported\n"
-    "    if (known && self < 5u && oit_classes[self] > 0u)\n"
+    "    if (known && self < 4u && oit_classes[self] > 0u)\n"
     "        atomicAdd(oit_pixel[OIT_PIXELS + self], oit_classes[self]);\n"
     "    if (self == 0u && block < oit_pool.w) {\n"
     "        oit_pixel[OIT_SUM(block)] = oit_sums[0];\n"
@@ -2544,8 +2544,8 @@ enum {
 #define OIT_I_REPORTS 3
 
 /* Runs are composed by programs for so many fragments, the last for all that are deeper. */
-#define OIT_I_CLASSES 5
-static const int oit_i_class_sizes[OIT_I_CLASSES] = {8, 16, 32, 64, 32};
+#define OIT_I_CLASSES 4
+static const int oit_i_class_sizes[OIT_I_CLASSES] = {8, 16, 32, 32};
 
 /* How a composed pixel goes into the target. */
 enum {
