@@ -1,7 +1,7 @@
 /* gl_oit_real.c: real models as glass, held to a reference in double: the same fragments in the same order, and the
  * picture; the same bits in another order and in bands. The models of examples/ and those of ../shared/models, where
  * they are. */
-#include "oit_scene.h"
+#include "oit_models.h"
 
 #include "load_model.h"
 #include "models.h"
@@ -31,47 +31,6 @@ static void close_setting(setting *t) {
     glDeleteFramebuffers(1, &t->framebuffer);
     glDeleteTextures(1, &t->color);
     harness_close(&t->h);
-}
-
-static void *copy_of(const void *from, size_t bytes) {
-    void *to = malloc(bytes + 1);
-    if (from)
-        memcpy(to, from, bytes);
-    return to;
-}
-
-/* Seen from the front, a little aside and above, so that the model fills most of the picture. */
-static void look_at_model(oit_scene *s, const scene *model) {
-    double low[3], high[3], radius = 0, center[3], turn[16];
-    assert_true(scene_bounds(model, low, high));
-    for (int k = 0; k < 3; ++k) {
-        center[k] = 0.5 * (low[k] + high[k]);
-        radius += 0.25 * (high[k] - low[k]) * (high[k] - low[k]);
-    }
-    radius = sqrt(radius);
-    const double a = 0.4363, c = cos(a), r = sin(a);
-    const double rows[3][3] = {{c, 0, -r}, {-r * r, c, -c * r}, {c * r, r, c * c}};
-    oit_scene_camera(s, 3 * radius, radius, 6 * radius, 0.36);
-    memcpy(turn, s->scene.view, sizeof turn);
-    for (int row = 0; row < 3; ++row)
-        for (int k = 0; k < 3; ++k) {
-            s->scene.view[4 * k + row] = rows[row][k];
-            s->scene.view[12 + row] -= rows[row][k] * center[k];
-        }
-}
-
-/* All parts as glass of their own colours. */
-static void scene_of_model(oit_scene *s, const scene *model) {
-    oit_scene_init(s, SIZE, SIZE);
-    look_at_model(s, model);
-    for (size_t i = 0; i < model->part_count && s->count < 64; ++i) {
-        const scene_part *part = &model->parts[i];
-        const scene_mesh *mesh = &model->meshes[part->mesh];
-        const double color[4] = {(double)part->color[0], 0.2 + 0.6 * (double)(i % 5) / 5, (double)part->color[2], 0.35};
-        size_t at = oit_scene_add(s, copy_of(mesh->positions, 12 * mesh->vertex_count), NULL, mesh->vertex_count,
-                                  copy_of(mesh->indices, 4 * mesh->index_count), mesh->index_count / 3, color);
-        memcpy(s->truths[at].model, part->transform, sizeof part->transform);
-    }
 }
 
 static oit_context *make_oit(oit_desc desc) {
@@ -175,7 +134,7 @@ static void check_picture(const char *name, oit_scene *s, const scene *model, co
     oit_report report = {0};
     setting t;
     open_setting(&t, floats);
-    scene_of_model(s, model);
+    oit_scene_of_model(s, model, SIZE);
     oit_context *oit = make_oit(desc);
     float *picture = draw(&t, s, oit, NULL);
     assert_int_equal(oit_get_report(oit, &report), OIT_OK);
@@ -199,7 +158,7 @@ static void check_model(const char *name, const scene *model) {
     oit_scene *s = malloc(sizeof *s);
     setting t;
     open_setting(&t, false); /* objects need a context even where only the reference looks at them */
-    scene_of_model(s, model);
+    oit_scene_of_model(s, model, SIZE);
     double left_out = oit_truth_render(s, truth);
     printf("    %-16s %zu triangles, %.1f %% left out\n", name, s->triangles, 100 * left_out);
     oit_scene_drop(s);
