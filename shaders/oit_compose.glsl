@@ -165,16 +165,20 @@ uint oit_order[OIT_CLASS + 1];
 // By all their words, so that two of which neither comes after the other are alike: ties need no further care.
 bool oit_words_after(uvec4 a, uvec4 b, bool more)
 {
-    return a.x > b.x || (a.x == b.x && (a.y > b.y || (a.y == b.y && (a.z > b.z || (a.z == b.z && (a.w > b.w || (a.w == b.w && more)))))));
+    bool w = a.w > b.w || (a.w == b.w && more);
+    bool z = a.z > b.z || (a.z == b.z && w);
+    bool y = a.y > b.y || (a.y == b.y && z);
+    return a.x > b.x || (a.x == b.x && y);
 }
 
 // What oit_i_put_network writes is made of these: registers r and q (oit_load), swapped where they are in the wrong order,
 // then laid. Each record is read once; what is not there comes after all that is, and has no colour and no alpha.
 #define L(r, q, i) uvec4 r = uvec4(OIT_NONE, 0u, 0u, 0u), q = uvec4(0u); if (i < n) oit_load(base + i * uint(OIT_VECTORS), r, q);
+#define X(r, u, g) { uvec4 t = g ? u : r; u = g ? r : u; r = t; }
 #if OIT_SORTED > 4
-#define S(r, q, u, v) { bool g = oit_words_after(r, u, oit_words_after(q, v, false)); uvec4 t = g ? u : r; u = g ? r : u; r = t; t = g ? v : q; v = g ? q : v; q = t; }
+#define S(r, q, u, v) { bool g = oit_words_after(r, u, oit_words_after(q, v, false)); X(r, u, g) X(q, v, g) }
 #else
-#define S(r, q, u, v) { bool g = oit_words_after(r, u, false); uvec4 t = g ? u : r; u = g ? r : u; r = t; }
+#define S(r, q, u, v) { bool g = oit_words_after(r, u, false); X(r, u, g) }
 #endif
 #define Y(r, q, i) oit_lay(r, q);
 #endif
