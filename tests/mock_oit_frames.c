@@ -16,7 +16,7 @@
 
 /* ---- the driver that is not there ---- */
 
-enum { MAX_NAMES = 4096, MAX_CALLS = 2000000 * 2, POINTS = 8, READS = 1, WRITES = 2 };
+enum { MAX_NAMES = 4096, MAX_CALLS = 4000000, POINTS = 8, READS = 1, WRITES = 2 };
 enum { BUFFERS, ARRAYS, SHADERS, PROGRAMS, FENCES, TEXTURES, FRAMEBUFFERS, KINDS };
 
 typedef struct fake_buffer {
