@@ -373,7 +373,8 @@ typedef enum tr_pass_kind {
     /* of tr_begin_dynamic; the host draws pass.units in those that are not called full screen */
     TR_PASS_BLOCK,        /* depth of what closes masks */
     TR_PASS_TARGETS,      /* depth and strength of the nearest target */
-    TR_PASS_SPREAD_X,     /* full screen, as are all of these four: nearest pixel of a target in each row */
+    TR_PASS_BITS,         /* full screen, as are all of these five: pixels of targets, packed */
+    TR_PASS_SPREAD_X,     /* the nearest of them in each row */
     TR_PASS_SPREAD_Y,     /* nearest of all, at the mask's resolution */
     TR_PASS_FINISH,       /* mask and its depth, at the target's resolution */
     TR_PASS_PRIME,        /* depth that lets nothing be drawn outside of masks */
@@ -1516,7 +1517,7 @@ static const char *const tr_i_shader_see_block_glsl[] = {
     "    highp vec4 tr_see_background; // rgb: where nothing is drawn; a: 1 where each occluder counts on its own\n"
     "    highp ivec4 tr_see_grid;      // pixels a texel of masks; a cell; frame index; pixels that masks reach\n"
     "    highp vec4 tr_see_lights[8];  // x, y, radius, edge, pixels of the viewport\n"
-    "    highp uvec4 tr_see_tiles[160]; // four each: x0, y0, x1, y1 in cells, a byte each, x0 the lowest\n"
+    "    highp uvec4 tr_see_tiles[500]; // four each: x0, y0, x1, y1 in cells, a byte each, x0 the lowest\n"
     "};\n"
     "\n"
     "#ifdef TR_REVERSED_Z\n"
@@ -1765,37 +1766,63 @@ static const char *const tr_i_shader_see_spread_frag[] = {
     "// For: transparency.h\n"
     "// How far the nearest pixel of a target is: exact, by rows and then across them.\n"
     "//\n"
-    "// TR_SPREAD 0: in its row, for each texel of masks, as the pixels from the texel's first one to it, plus 128, in 255ths; 0:\n"
-    "// none. TR_SPREAD 1: of the rows' the nearest, of equally near ones that nearest to the eye. A texel stands for the middle\n"
-    "// of its pixels; twice the positions are integers. Steps go outward from there: left and right, up and down, are one step.\n"
+    "// TR_SPREAD 0: eight pixels of a row as bits, so that the next steps over empty space are long ones. TR_SPREAD 1: in its\n"
+    "// row, for each texel of masks, as the pixels from the texel's first one to it, plus 128, in 255ths; 0: none. TR_SPREAD 2: of\n"
+    "// the rows' the nearest, of equally near ones that nearest to the eye. A texel stands for the middle of its pixels; twice the\n"
+    "// positions are integers. Steps go outward from there: left and right, up and down, are one step.\n"
     "uniform highp sampler2D tr_see_depth; // of targets\n"
     "uniform highp sampler2D tr_see_mark;  // of targets: strength, 0 where there is none; active\n"
-    "#if TR_SPREAD == 1\n"
-    "uniform highp sampler2D tr_see_rows;\n"
+    "#if TR_SPREAD != 0\n"
+    "uniform highp sampler2D tr_see_rows; // the step before this one's\n"
     "#endif\n"
     "layout(location = 0) out highp vec4 tr_color;\n"
     "\n"
     "#if TR_SPREAD == 0\n"
-    "bool tr_is_target(ivec2 pixel)\n"
+    "void main()\n"
     "{\n"
-    "    return pixel.x >= 0 && pixel.x < int(tr_viewport.z) && texelFetch(tr_see_mark, pixel, 0).r > 0.0;\n"
+    "    ivec2 first = ivec2(int(gl_FragCoord.x) * 8, int(gl_FragCoord.y));\n"
+    "    int bits = 0, count = min(8, int(tr_viewport.z) - first.x);\n"
+    "    for (int i = 0; i < count; ++i)\n"
+    "        bits |= texelFetch(tr_see_mark, first + ivec2(i, 0), 0).r > 0.0 ? 1 << i : 0;\n"
+    "    tr_color = vec4(float(bits) * (1.0 / 255.0));\n"
+    "}\n"
+    "#elif TR_SPREAD == 1\n"
+    "// The highest bit of a number above 0, by the exponent of a float.\n"
+    "int tr_highest(int bits)\n"
+    "{\n"
+    "    return (floatBitsToInt(float(bits)) >> 23) - 127;\n"
+    "}\n"
+    "\n"
+    "int tr_bits(int block, int y)\n"
+    "{\n"
+    "    return int(texelFetch(tr_see_rows, ivec2(block, y), 0).r * 255.0 + 0.5);\n"
     "}\n"
     "\n"
     "void main()\n"
     "{\n"
-    "    int divisor = tr_see_grid.x, steps = tr_see_grid.w + 2 * divisor, first = int(gl_FragCoord.x) * divisor, found = 0;\n"
-    "    ivec2 left = ivec2(first + (divisor - 1) / 2, int(gl_FragCoord.y)), right = ivec2(first + divisor / 2, left.y);\n"
-    "    for (int i = 0; i <= steps; ++i) {\n"
-    "        bool at_left = tr_is_target(left), at_right = tr_is_target(right);\n"
-    "        if (at_left && at_right)\n"
-    "            at_left = TR_BEHIND(texelFetch(tr_see_depth, right, 0).r, texelFetch(tr_see_depth, left, 0).r);\n"
-    "        if (at_left || at_right) {\n"
-    "            found = (at_left ? left.x : right.x) - first + 128;\n"
+    "    int divisor = tr_see_grid.x, reach = tr_see_grid.w + 2 * divisor, first = int(gl_FragCoord.x) * divisor;\n"
+    "    int y = int(gl_FragCoord.y), from_left = first + (divisor - 1) / 2, from_right = first + divisor / 2;\n"
+    "    int left = -0x10000, right = 0x10000;\n"
+    "    int lowest = max(from_left - reach, 0), highest = min(from_right + reach, int(tr_viewport.z) - 1);\n"
+    "    for (int block = from_left >> 3, mask = (2 << (from_left & 7)) - 1; block * 8 + 7 >= lowest; --block, mask = 255) {\n"
+    "        int bits = tr_bits(block, y) & mask;\n"
+    "        if (bits != 0) {\n"
+    "            left = block * 8 + tr_highest(bits);\n"
     "            break;\n"
     "        }\n"
-    "        --left.x;\n"
-    "        ++right.x;\n"
     "    }\n"
+    "    for (int block = from_right >> 3, mask = 255 << (from_right & 7); block * 8 <= highest; ++block, mask = 255) {\n"
+    "        int bits = tr_bits(block, y) & mask;\n"
+    "        if (bits != 0) {\n"
+    "            right = block * 8 + tr_highest(bits & -bits);\n"
+    "            break;\n"
+    "        }\n"
+    "    }\n"
+    "    int to_left = from_left - left, to_right = right - from_right;\n"
+    "    bool at_left = to_left < to_right;\n"
+    "    if (to_left == to_right && to_left <= reach)\n"
+    "        at_left = TR_BEHIND(texelFetch(tr_see_depth, ivec2(right, y), 0).r, texelFetch(tr_see_depth, ivec2(left, y), 0).r);\n"
+    "    int found = min(to_left, to_right) <= reach ? (at_left ? left : right) - first + 128 : 0;\n"
     "    tr_color = vec4(float(found) * (1.0 / 255.0));\n"
     "}\n"
     "#else\n"
@@ -1820,7 +1847,8 @@ static const char *const tr_i_shader_see_spread_frag[] = {
     "                nearest = pixel;\n"
     "            }\n"
     "        }\n"
-    "    }\n"
+    "    }\n",
+    "#line 86\n"
     "    tr_color = vec4(1.0, 0.0, 0.0, 0.0);\n"
     "    gl_FragDepth = TR_CLEAR_DEPTH;\n"
     "    if (nearest.x < 0)\n"
@@ -1835,7 +1863,7 @@ static const char *const tr_i_shader_see_tile_vert[] = {
     "// For: transparency.h\n"
     "// Six vertices a tile: passes of dynamic transparency cover the cells that have masks, and no more.\n"
     "//\n"
-    "// TR_COARSE_X, TR_COARSE_Y: 1 where the texture has a texel for tr_see_grid.x pixels.\n"
+    "// TR_COARSE_X, TR_COARSE_Y: 1 where the texture has a texel for tr_see_grid.x pixels; 2: for eight.\n"
     "void main()\n"
     "{\n"
     "    int tile = gl_VertexID / 6, corner = gl_VertexID - 6 * tile, divisor = tr_see_grid.x;\n"
@@ -1845,10 +1873,12 @@ static const char *const tr_i_shader_see_tile_vert[] = {
     "    bool right = corner == 1 || corner == 2 || corner == 4, high = corner == 2 || corner == 4 || corner == 5;\n"
     "    highp uint x = (box >> (right ? 16 : 0)) & 255u, y = (box >> (high ? 24 : 8)) & 255u;\n"
     "    ivec2 size = ivec2(tr_viewport.zw);\n"
-    "#if TR_COARSE_X\n"
+    "#if TR_COARSE_X == 2\n"
+    "    size.x = (size.x + 7) / 8 * 8;\n"
+    "#elif TR_COARSE_X == 1\n"
     "    size.x = (size.x + divisor - 1) / divisor * divisor;\n"
     "#endif\n"
-    "#if TR_COARSE_Y\n"
+    "#if TR_COARSE_Y == 1\n"
     "    size.y = (size.y + divisor - 1) / divisor * divisor;\n"
     "#endif\n"
     "    gl_Position = vec4(vec2(ivec2(x, y) * tr_see_grid.y) / vec2(size) * 2.0 - 1.0, 0.0, 1.0);\n"
@@ -2509,7 +2539,8 @@ enum {
     TR_I_PROGRAM_OUTLINE =
         TR_I_PROGRAM_ALPHA + ((int)TR_ALPHA_COUNT - 1) * (int)TR_RULE_COUNT, /* found; jumps; with ids */
     TR_I_PROGRAM_SEE = TR_I_PROGRAM_OUTLINE + 4, /* full-screen ones of dynamic transparency: tr_i_see_source */
-    TR_I_PROGRAM_SPREAD_X = TR_I_PROGRAM_SEE,
+    TR_I_PROGRAM_BITS = TR_I_PROGRAM_SEE,
+    TR_I_PROGRAM_SPREAD_X,
     TR_I_PROGRAM_SPREAD_Y,
     TR_I_PROGRAM_FINISH,
     TR_I_PROGRAM_FINISH_BARE, /* no gradient */
@@ -2577,8 +2608,8 @@ typedef struct tr_i_place {
     float first, last;
 } tr_i_place;
 
-#define TR_I_CELLS 64 /* along each side, at most */
-#define TR_I_MAX_TILES 640
+#define TR_I_CELLS 128 /* along each side, at most */
+#define TR_I_MAX_TILES 2000
 
 /* The screen in cells: a target needs a mask where something that yields lies before it, and only units that meet masks
    are drawn again. Cells in place of rectangles of targets, so that the work does not grow with targets times units. */
@@ -2601,6 +2632,7 @@ typedef struct tr_i_law {
 enum {
     TR_I_SEE_DEPTH,      /* of blocks and targets; then of what shows through masks */
     TR_I_SEE_MARK,       /* of the nearest target: strength, whether it is active, id in two bytes */
+    TR_I_SEE_BITS,       /* eight pixels a texel: which are a target's */
     TR_I_SEE_ROWS,       /* a row of texels each pixel high: where the nearest pixel of a target is in it */
     TR_I_SEE_LOW,        /* the mask's texels: distance, strength, whether it is active */
     TR_I_SEE_LOW_DEPTH,  /* their depth */
@@ -2614,6 +2646,7 @@ enum {
 
 enum {
     TR_I_SEE_FBO_TARGETS,
+    TR_I_SEE_FBO_BITS,
     TR_I_SEE_FBO_ROWS,
     TR_I_SEE_FBO_LOW,
     TR_I_SEE_FBO_MASK,
@@ -2769,14 +2802,15 @@ TR_I_API const char *tr_result_string(tr_result result) {
 }
 
 TR_I_API const char *tr_pass_kind_name(tr_pass_kind kind) {
-    static const char *const names[] = {"front",        "peel",        "layer",
-                                        "limit",        "opaque",      "copy depth",
-                                        "opaque lines", "compose",     "transparent lines",
-                                        "hidden lines", "outer lines", "take opaque",
-                                        "block",        "targets",     "spread x",
-                                        "spread y",     "finish",      "prime",
-                                        "scene",        "behind",      "yield",
-                                        "compose mask", "query",       "hides"};
+    static const char *const names[] = {"front",        "peel",         "layer",
+                                        "limit",        "opaque",       "copy depth",
+                                        "opaque lines", "compose",      "transparent lines",
+                                        "hidden lines", "outer lines",  "take opaque",
+                                        "block",        "targets",      "bits",
+                                        "spread x",     "spread y",     "finish",
+                                        "prime",        "scene",        "behind",
+                                        "yield",        "compose mask", "query",
+                                        "hides"};
     return (unsigned)kind < (unsigned)TR_PASS_KIND_COUNT ? names[kind] : "unknown pass";
 }
 
@@ -3296,6 +3330,23 @@ static int tr_i_side_of_eye(const double m[16], const tr_unit *unit) {
     return w > r ? 1 : w < -r ? -1 : 0;
 }
 
+/* Whether a sphere lies wholly outside of one of the four planes at the sides of the view, which all go through the eye, or
+   along the view: one beside the eye has no rectangle that says so. */
+static int tr_i_is_beside(const double m[16], const tr_unit *unit) {
+    int plane, i;
+    for (plane = 0; plane < 4; ++plane) {
+        double sign = plane & 1 ? -1.0 : 1.0, size = 0, at = m[15] + sign * m[12 + plane / 2];
+        for (i = 0; i < 3; ++i) {
+            double c = m[4 * i + 3] + sign * m[4 * i + plane / 2];
+            at += c * (double)unit->center[i];
+            size += c * c;
+        }
+        if (at < -(double)unit->radius * sqrt(size))
+            return 1;
+    }
+    return 0;
+}
+
 /* From clip coordinates -1 ... 1 to pixels, outward; 0 if none is left. */
 static int tr_i_pixel_span(const double span[2], int size, int out[2]) {
     double low = floor((span[0] + 1.0) * 0.5 * (double)size), high = ceil((span[1] + 1.0) * 0.5 * (double)size);
@@ -3312,7 +3363,7 @@ static int tr_i_unit_bounds(const tr_unit *unit, const double m[16], int width, 
     int side = 0, across[2], up[2];
     if (tr_i_is_bounded(unit)) {
         side = tr_i_side_of_eye(m, unit);
-        if (side < 0)
+        if (side < 0 || tr_i_is_beside(m, unit))
             return 0;
         if (side > 0 && !(tr_i_sphere_span(m, 0, unit, x) && tr_i_sphere_span(m, 1, unit, y))) {
             x[0] = y[0] = -1.0;
@@ -3612,6 +3663,7 @@ static void tr_i_plan_masks(tr_i_see *see, const tr_dynamic *dynamic) {
     tr_i_add_see_pass(plan, TR_PASS_TARGETS, TR_RULE_SEE_TARGET, counts[TR_I_UNITS_TARGETS],
                       "the nearest target at each pixel");
     if (see->law.reach) {
+        tr_i_add_see_pass(plan, TR_PASS_BITS, TR_RULE_SEE_PLAIN, 0, "pixels of targets, eight a texel");
         tr_i_add_see_pass(plan, TR_PASS_SPREAD_X, TR_RULE_SEE_PLAIN, 0, "the nearest pixel of a target in each row");
         tr_i_add_see_pass(plan, TR_PASS_SPREAD_Y, TR_RULE_SEE_PLAIN, 0, "of these the nearest: distance and depth");
     }
@@ -4388,18 +4440,21 @@ static void tr_i_outline_source(tr_i_source *source, tr_stage stage, int variant
 
 /* Full-screen passes of dynamic transparency. */
 static void tr_i_see_source(tr_i_source *source, tr_stage stage, int program) {
-    int rows = program == TR_I_PROGRAM_SPREAD_X, low = program == TR_I_PROGRAM_SPREAD_Y;
+    int bits = program == TR_I_PROGRAM_BITS, rows = program == TR_I_PROGRAM_SPREAD_X;
+    int low = program == TR_I_PROGRAM_SPREAD_Y;
     tr_i_add_chunks(source, tr_i_shader_see_block_glsl);
     if (stage == TR_VERTEX) {
-        tr_i_add(source, rows || low ? "#define TR_COARSE_X 1\n" : "#define TR_COARSE_X 0\n");
+        tr_i_add(source, bits          ? "#define TR_COARSE_X 2\n"
+                         : rows || low ? "#define TR_COARSE_X 1\n"
+                                       : "#define TR_COARSE_X 0\n");
         tr_i_add(source, low ? "#define TR_COARSE_Y 1\n" : "#define TR_COARSE_Y 0\n");
         tr_i_add_chunks(source, tr_i_shader_see_tile_vert);
         return;
     }
-    tr_i_add(source, low ? "#define TR_SPREAD 1\n" : "#define TR_SPREAD 0\n");
+    tr_i_add(source, low ? "#define TR_SPREAD 2\n" : rows ? "#define TR_SPREAD 1\n" : "#define TR_SPREAD 0\n");
     tr_i_add(source, program == TR_I_PROGRAM_FINISH ? "#define TR_HAS_LOW 1\n" : "#define TR_HAS_LOW 0\n");
     tr_i_add(source, program == TR_I_PROGRAM_COMPOSE_YIELD ? "#define TR_HAS_YIELD 1\n" : "#define TR_HAS_YIELD 0\n");
-    tr_i_add_chunks(source, rows || low                            ? tr_i_shader_see_spread_frag
+    tr_i_add_chunks(source, bits || rows || low                    ? tr_i_shader_see_spread_frag
                             : program == TR_I_PROGRAM_PRIME        ? tr_i_shader_see_prime_frag
                             : program == TR_I_PROGRAM_QUERY        ? tr_i_shader_see_query_frag
                             : program >= TR_I_PROGRAM_COMPOSE_MASK ? tr_i_shader_see_compose_frag
@@ -4856,13 +4911,14 @@ static void tr_i_drop_edges(tr_context *tr) {
 typedef struct tr_i_see_format {
     tr_i_u internal, format, type;
     uint32_t bytes;
-    int across, up; /* 0: the viewport's size; 1: divided as masks are; 2: by 4 */
+    int across, up; /* 0: the viewport's size; 1: divided as masks are; 2: by 4; 3: by 8 */
 } tr_i_see_format;
 
 static tr_i_see_format tr_i_see_format_of(int texture, int srgb) {
     static const tr_i_see_format formats[TR_I_SEE_TEXTURE_COUNT] = {
         {TR_I_GL_DEPTH_COMPONENT32F, TR_I_GL_DEPTH_COMPONENT, TR_I_GL_FLOAT, 4, 0, 0},
         {TR_I_GL_RGBA8, TR_I_GL_RGBA, TR_I_GL_UNSIGNED_BYTE, 4, 0, 0},
+        {TR_I_GL_R8, TR_I_GL_RED, TR_I_GL_UNSIGNED_BYTE, 1, 3, 0},
         {TR_I_GL_R8, TR_I_GL_RED, TR_I_GL_UNSIGNED_BYTE, 1, 1, 0},
         {TR_I_GL_RGBA8, TR_I_GL_RGBA, TR_I_GL_UNSIGNED_BYTE, 4, 1, 1},
         {TR_I_GL_DEPTH_COMPONENT32F, TR_I_GL_DEPTH_COMPONENT, TR_I_GL_FLOAT, 4, 1, 1},
@@ -4877,9 +4933,12 @@ static tr_i_see_format tr_i_see_format_of(int texture, int srgb) {
     return format;
 }
 
+static int tr_i_see_divisor(int kind, int divisor) {
+    return kind == 0 ? 1 : kind == 1 ? divisor : kind == 2 ? 4 : 8;
+}
+
 static void tr_i_see_size(const tr_i_see_format *format, int width, int height, int divisor, int out[2]) {
-    int across = format->across == 0 ? 1 : format->across == 1 ? divisor : 4;
-    int up = format->up == 0 ? 1 : format->up == 1 ? divisor : 4;
+    int across = tr_i_see_divisor(format->across, divisor), up = tr_i_see_divisor(format->up, divisor);
     out[0] = (width + across - 1) / across;
     out[1] = (height + up - 1) / up;
 }
@@ -4894,6 +4953,7 @@ static uint64_t tr_i_see_weight(int texture, int width, int height, int divisor)
 /* Of the framebuffers: a colour, and a depth or none (-1). */
 static void tr_i_see_attached(int fbo, int out[2]) {
     static const signed char attached[TR_I_SEE_FBO_COUNT][2] = {{TR_I_SEE_MARK, TR_I_SEE_DEPTH},
+                                                                {TR_I_SEE_BITS, -1},
                                                                 {TR_I_SEE_ROWS, -1},
                                                                 {TR_I_SEE_LOW, TR_I_SEE_LOW_DEPTH},
                                                                 {TR_I_SEE_MASK, TR_I_SEE_MASK_DEPTH},
@@ -4910,6 +4970,8 @@ static int tr_i_see_fbo_of(const tr_see_plan *plan, int index) {
     case TR_PASS_BLOCK:
     case TR_PASS_TARGETS:
         return TR_I_SEE_FBO_TARGETS;
+    case TR_PASS_BITS:
+        return TR_I_SEE_FBO_BITS;
     case TR_PASS_SPREAD_X:
         return TR_I_SEE_FBO_ROWS;
     case TR_PASS_SPREAD_Y:
@@ -6459,6 +6521,8 @@ static tr_frame tr_i_dynamic_frame(const tr_frame *frame) {
 /* The program of ours for a pass of the plan. */
 static int tr_i_see_program(const tr_context *tr, const tr_see_pass *pass) {
     switch (pass->kind) {
+    case TR_PASS_BITS:
+        return TR_I_PROGRAM_BITS;
     case TR_PASS_SPREAD_X:
         return TR_I_PROGRAM_SPREAD_X;
     case TR_PASS_SPREAD_Y:
@@ -6690,12 +6754,18 @@ static void tr_i_fill_see_textures(const tr_i_see *see, tr_pass_kind kind, tr_st
     tr_i_u *depth = &state->textures[TR_I_SCENE_DEPTH], *mask = &state->textures[TR_I_OPAQUE_COLOR];
     tr_i_u *third = &state->textures[TR_I_MARK], *fourth = &state->textures[TR_I_CROSSINGS];
     switch (kind) {
+    case TR_PASS_BITS:
+        *mask = from[TR_I_SEE_MARK];
+        break;
     case TR_PASS_SPREAD_X:
+        *depth = from[TR_I_SEE_DEPTH];
+        *third = from[TR_I_SEE_BITS];
+        break;
     case TR_PASS_SPREAD_Y:
     case TR_PASS_FINISH:
         *depth = from[TR_I_SEE_DEPTH];
         *mask = from[TR_I_SEE_MARK];
-        *third = kind == TR_PASS_SPREAD_X ? 0 : from[kind == TR_PASS_SPREAD_Y ? TR_I_SEE_ROWS : TR_I_SEE_LOW];
+        *third = from[kind == TR_PASS_SPREAD_Y ? TR_I_SEE_ROWS : TR_I_SEE_LOW];
         *fourth = kind == TR_PASS_FINISH ? from[TR_I_SEE_LOW_DEPTH] : 0;
         break;
     case TR_PASS_PRIME:
@@ -6720,24 +6790,36 @@ static void tr_i_fill_see_textures(const tr_i_see *see, tr_pass_kind kind, tr_st
     }
 }
 
+/* The rectangle of masks with all that passes read around it, which has to be cleared as well. */
+static void tr_i_grow_box(const tr_i_see *see, int out[4]) {
+    const int *box = see->plan.rectangle;
+    int by = see->law.reach + 2 * see->law.divisor + 8, k;
+    for (k = 0; k < 2; ++k) {
+        int size = k ? see->height : see->width, first = box[k] - by, last = box[k] + box[k + 2] + by;
+        out[k] = first > 0 ? first : 0;
+        out[k + 2] = (last < size ? last : size) - out[k];
+    }
+}
+
 /* Viewport, and scissor to where masks are, of a framebuffer of ours. */
 static void tr_i_fill_see_extent(const tr_context *tr, int fbo, tr_state *state) {
     const tr_i_see *see = &tr->see;
-    const int *box = see->plan.rectangle;
     tr_i_see_format format;
-    int attached[2], across, up;
+    int attached[2], across, up, k;
     tr_i_see_attached(fbo, attached);
     format = tr_i_see_format_of(attached[0], 0);
-    across = format.across == 0 ? 1 : format.across == 1 ? see->divisor : 4;
-    up = format.up == 0 ? 1 : format.up == 1 ? see->divisor : 4;
+    across = tr_i_see_divisor(format.across, see->divisor);
+    up = tr_i_see_divisor(format.up, see->divisor);
     tr_i_see_size(&format, see->width, see->height, see->divisor, &state->viewport[2]);
     /* A whole scene reads the mask wherever it draws; texels of queries are not aligned with cells. */
     if ((fbo == TR_I_SEE_FBO_MASK && see->plan.see == TR_SEE_DITHER) || fbo == TR_I_SEE_FBO_QUERY)
         return;
-    state->scissor[0] = box[0] / across;
-    state->scissor[1] = box[1] / up;
-    state->scissor[2] = (box[0] + box[2] + across - 1) / across - state->scissor[0];
-    state->scissor[3] = (box[1] + box[3] + up - 1) / up - state->scissor[1];
+    tr_i_grow_box(see, state->scissor);
+    for (k = 0; k < 2; ++k) {
+        int divisor = k ? up : across, first = state->scissor[k] / divisor;
+        state->scissor[k + 2] = (state->scissor[k] + state->scissor[k + 2] + divisor - 1) / divisor - first;
+        state->scissor[k] = first;
+    }
 }
 
 static void tr_i_fill_see_bindings(const tr_context *tr, int index, tr_state *state) {
@@ -6788,6 +6870,7 @@ static void tr_i_fill_see_tests(const tr_context *tr, int index, tr_state *state
         state->clear_depth = index == 0 || tr->see.plan.passes[index - 1].kind != TR_PASS_BLOCK;
         state->clear_color = 1;
         break;
+    case TR_PASS_BITS:
     case TR_PASS_SPREAD_X:
         state->clear_color = 1;
         state->depth_test = state->depth_write = 0;
