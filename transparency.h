@@ -6913,6 +6913,8 @@ static void tr_i_leave_to_host(tr_context *tr, const tr_state *state) {
         tr_i_save_defaults(&saved);
     if (tr->desc.state != TR_STATE_LEAVE_DIRTY)
         tr_i_restore(tr, &saved);
+    else /* what it reads is not to be what is drawn into */
+        tr->gl.BindFramebuffer(TR_I_GL_DRAW_FRAMEBUFFER, state->framebuffer);
     tr->gl.GetIntegerv(TR_I_GL_ACTIVE_TEXTURE, &active);
     tr->gl.GetIntegerv(TR_I_GL_UNIFORM_BUFFER_BINDING, &buffer);
     tr_i_bind_textures(tr, state);
