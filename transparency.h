@@ -10,6 +10,9 @@
      they enter transparent ones
    - gives the same picture, bit for bit, in whatever order the objects are drawn; sorts nothing, reads nothing back
      (opaque objects that share a plane are the exception: see LIMITS)
+   - shows units that must not be lost from sight through whatever hides them, after Assarsson, Elmqvist and Tsigas,
+     "Image-Space Dynamic Transparency for Improved Object Discovery in 3D Environments" (2006), with one mask for all of
+     them, blended or screen-door: see DYNAMIC TRANSPARENCY
    - shades from cool to warm (Gooch et al. 1999) and draws silhouettes and creases in the right passes, for hosts that
      have no shaders of their own; works with the host's own shaders through one function call
    - leaves the GL state as found, or tells the host which state each pass wants
@@ -102,7 +105,8 @@
 
    ERRORS, MEMORY, THREADS
    Every function that can fail returns a tr_result and logs through desc.log_fn. A failed tr_begin leaves the state as
-   found and nothing allocated that tr_destroy would not free; the next frame may be tried. One heap block a context.
+   found and nothing allocated that tr_destroy would not free; the next frame may be tried. One heap block a context, up to two more with
+   tr_begin_dynamic.
    tr_set_edges and tr_find_outlines make textures of their own when sizes change, and hold them until tr_release;
    tr_set_crossings until tr_destroy.
    Textures are created when a plan first needs them or the size changes (never in a steady frame): 24 bytes a pixel with
@@ -160,6 +164,55 @@
                            the front-most surface alone, and is right to a pixel where that faces the eye
    Hosts' own programs put the strings of tr_alpha_glsl() after those of tr_glsl(), and multiply their alpha by tr_alpha().
    Shaders that cost much may ask tr_may_show() first.
+
+   DYNAMIC TRANSPARENCY
+   Targets are seen through what lies before them, and through a soft edge around them: opacity alpha_target before the
+   target itself, beside it rising from alpha_start to 1 over `width` pixels. An opaque scene of any engine stays as it is;
+   the header asks for a few things to be drawn once more. A second recipe:
+
+    static tr_unit units[COUNT];        // what the game knows: bounding spheres, which are targets, what is the ground
+
+    tr_result draw_battle(tr_context *tr, const tr_frame *frame, tr_dynamic *dynamic) {   // both begin as zeros
+        tr_pass pass;                                                 // frame: target and viewport
+        size_t i;
+        tr_result result;
+        dynamic->units = units;
+        dynamic->unit_count = COUNT;                                  // and dynamic->view, dynamic->projection
+        result = tr_begin_dynamic(tr, frame, dynamic);
+        if (result != TR_OK) return result;
+        while (tr_next_pass(tr, &pass)) {
+            if (pass.kind == TR_PASS_SCENE && pass.rule == TR_RULE_SEE_PLAIN)
+                draw_everything_as_ever();                            // own programs, own state, all attachments
+            else
+                for (i = 0; i < pass.unit_count; ++i)                 // a variant of your program for each rule that you
+                    draw_unit(pass.units[i], my_program_for(pass.rule));    // meet; see below. Batches may hold more
+        }
+        return tr_end(tr);
+    }
+
+   - The variant: tr_glsl(tr, stage, rule) before your shaders, tr_see_through(color, code) last in main, then write color to
+     location 0; tr_prepare_program() once. code is tr_unit_code() of the unit, a uniform, an attribute of instances or a
+     texel. Where TR_WANTS_COLOR is 0 shading may be skipped. Shaders that discard (leaves) do so before the call. Outputs
+     beyond location 0 go nowhere but in TR_PASS_SCENE: attachments of a G-buffer are drawn as ever, and left alone.
+   - What to call what: units that must be seen are targets, all else is a distractor but for the ground and the sky, which
+     are backdrops (a distractor ground would be cut open along the lower edge of each target), and what shall never be
+     seen through, which is impenetrable. Hills are distractors, or impenetrable.
+   - TR_SEE_ONE_MASK (default) blends. TR_SEE_DITHER leaves out fragments instead, by a threshold a pixel that changes with
+     frame_index: for deferred pipelines (draw your G-buffer in TR_PASS_SCENE, and depth is right) and with temporal
+     anti-aliasing. Both sort nothing, and cost the same for one target and for a thousand but for what is covered.
+   - Where no target is in view, or nothing that yields lies before one, TR_PASS_SCENE is all there is and no GL call is made.
+   - Search lights: targets with TR_UNIT_ACTIVE are seen inside of dynamic.lights only. Coming and going: tr_advance(), with
+     wanted 1 for what shall fade out; it is the mask that fades, not the unit.
+   - tr_query_hidden() tells how much of each target is hidden, two or three frames late, without waiting.
+   - Two-sided materials: passes cull back faces, as pass.state says; switch that off and on again around what has two sides.
+   - State: before TR_PASS_SCENE it is the host's, see tr_begin_dynamic; in the other passes it is ours, as in any sequence.
+   - Memory: 16.6 bytes of textures a pixel with masks at half the resolution, 4 more for TR_SEE_ONE_MASK, 1 more where
+     some importance of a distractor is neither 0 nor 1 (tr_see_plan.bytes). Lists of units, 44 bytes each, and the answers
+     of queries, half a megabyte, are a second and a third block on the heap; tr_release gives all of it back.
+   - Limits: the nearest of several targets at a pixel owns it, so that what is before the others is cut for the nearest
+     alone. Behind an occluder other faces of the same object may show beside a target. What shows through passes through 8
+     bits; with TR_WISH_SRGB through sRGB ones. Of multisampled targets the mask is a pixel's. Errors, prices and where
+     we depart from the paper: docs/dynamic.md.
 
    LIMITS AND PRECISION
    - Depths are 32-bit floats; transparent layers are told apart down to one unit in the last place. Opaque things are
