@@ -242,6 +242,8 @@ typedef struct tr_desc {
     int reversed_z;         /* 1: near is 1, far is 0 */
     int front_face_cw;      /* 1: front faces are wound clockwise in window space */
     int zero_to_one;        /* 1: clip depth runs from 0 to 1 (glClipControl), as frame.projection has it */
+    int eight_bits;         /* 1: no colour textures of floats, even where they can be drawn into: less to move, and masks of
+                               dynamic transparency are rounded to 255ths */
 } tr_desc;
 
 /* ---- what is drawn ---------------------------------------------------------------------------------------------- */
@@ -383,6 +385,16 @@ typedef enum tr_pass_kind {
     TR_PASS_COMPOSE_MASK, /* full screen, into the target: the former over the scene */
     TR_PASS_QUERY,        /* full screen: which target, at a quarter of the resolution */
     TR_PASS_HIDES,        /* the same resolution: where something lies before it */
+    /* of TR_SEE_SEQUENCE and TR_SEE_PUBLISHED */
+    TR_PASS_WIPE,        /* boxes of masks, as are ROWS, NEAREST and MASKS: forgets the targets of the run before */
+    TR_PASS_SEEDS,       /* depth of the targets of a run */
+    TR_PASS_ROWS,        /* nearest pixel of a target in each row */
+    TR_PASS_NEAREST,     /* nearest of all */
+    TR_PASS_MASKS,       /* what the masks of a run leave of opacity, with those before */
+    TR_PASS_PAINT_DEPTH, /* depth of solid units: their front-most surfaces */
+    TR_PASS_PAINT,       /* units, blended; triangles of TR_UNIT_HOLLOW ones are to come back to front */
+    TR_PASS_COUNT,       /* occluders a pixel */
+    TR_PASS_PAINT_OVER,  /* full screen: from a target of our own into the host's */
     TR_PASS_KIND_COUNT
 } tr_pass_kind;
 
@@ -411,6 +423,12 @@ typedef enum tr_rule {
     TR_RULE_SEE_YIELD,
     TR_RULE_SEE_DITHER,
     TR_RULE_SEE_HIDES,
+    /* of shaders/seq_units.glsl */
+    TR_RULE_SEE_DEPTH,
+    TR_RULE_SEE_SEED,
+    TR_RULE_SEE_BLEND,
+    TR_RULE_SEE_BLEND_LAYERS,
+    TR_RULE_SEE_COUNT,
     TR_RULE_COUNT
 } tr_rule;
 
@@ -477,6 +495,7 @@ typedef struct tr_state {
     uint32_t blend_source, blend_destination, blend_source_alpha, blend_destination_alpha; /* equation: add */
     uint32_t cull_face;                                                                    /* 0: none */
     uint32_t front_face;
+    uint32_t blend_equation; /* 0: add */
     int scissor[4]; /* x, y, width, height, for clears too; width 0: no scissor test */
 } tr_state;
 
@@ -596,6 +615,7 @@ typedef struct tr_see_pass {
     tr_rule rule;        /* of passes that the host draws */
     uint32_t unit_count; /* that the host draws in it */
     const char *why;
+    uint32_t times; /* of TR_SEE_EXACT and the sequences: how often in a frame */
 } tr_see_pass;
 
 /* What runs, and why. */
@@ -1501,6 +1521,345 @@ static const char *const tr_i_shader_outline_frag[] = {
     "}\n"
     "#endif\n",
     0};
+static const char *const tr_i_shader_seq_block_glsl[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// What is the same for all passes of a frame of TR_SEE_EXACT, TR_SEE_SEQUENCE and TR_SEE_PUBLISHED, and the masks of one\n"
+    "// run of passes (std140, written by tr_begin_dynamic).\n"
+    "struct tr_mask {\n"
+    "    highp vec4 box; // x0, y0, x1, y1 in pixels of the viewport, x1 and y1 outside; the mask lies well within\n"
+    "    highp vec4 law; // x: strength, 1 less what has faded, y: 1: opens in lights only, z: importance\n"
+    "};\n"
+    "layout(std140) uniform tr_sequence\n"
+    "{\n"
+    "    highp vec4 tr_light; // of built-in shading, as in frame_block.glsl\n"
+    "    highp vec4 tr_cool;\n"
+    "    highp vec4 tr_warm;\n"
+    "    highp vec4 tr_seq_law;       // x: alpha_target, y: alpha_start, z: width of the gradient in pixels\n"
+    "    highp vec4 tr_seq_background;\n"
+    "    highp ivec4 tr_seq_view;     // the viewport: x, y, width, height\n"
+    "    highp ivec4 tr_seq_numbers;  // x: divisor, y: how far a mask reaches, in pixels, z: layer control, 0: none, w: lights\n"
+    "    highp ivec4 tr_seq_step;     // x: which layer a pass peels or keeps; y: 1: masks multiply; z: 1: whole masks cut targets\n"
+    "    highp vec4 tr_seq_lights[8]; // x, y, radius, edge in pixels of the viewport\n"
+    "    tr_mask tr_masks[64];\n"
+    "};\n"
+    "\n"
+    "#ifdef TR_REVERSED_Z\n"
+    "#define TR_NEARER(a, b) ((a) > (b))\n"
+    "#else\n"
+    "#define TR_NEARER(a, b) ((a) < (b))\n"
+    "#endif\n",
+    0};
+static const char *const tr_i_shader_seq_boxes_vert[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// The boxes of the masks of a run, two triangles each and no vertex buffer. TR_BOXES says whose texels they are counted\n"
+    "// in: 0: pixels, 1: columns of cells by rows of pixels, 2: cells of tr_seq_numbers.x pixels a side. Cells reach one\n"
+    "// further on each side, for those who read the nearest four.\n"
+    "flat out highp int tr_v_mask;\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    int corner = gl_VertexID % 6;\n"
+    "    tr_v_mask = gl_VertexID / 6;\n"
+    "    highp vec4 box = tr_masks[tr_v_mask].box;\n"
+    "    highp vec2 size = vec2(tr_seq_view.zw), cell = vec2(1.0);\n"
+    "#if TR_BOXES >= 1\n"
+    "    cell.x = float(tr_seq_numbers.x);\n"
+    "#endif\n"
+    "#if TR_BOXES == 2\n"
+    "    cell.y = cell.x;\n"
+    "#endif\n"
+    "#if TR_BOXES >= 1\n"
+    "    size = ceil(size / cell);\n"
+    "    box = vec4(floor(box.xy / cell) - step(1.5, cell), ceil(box.zw / cell) + step(1.5, cell));\n"
+    "    box = clamp(box, vec4(0.0), size.xyxy);\n"
+    "#endif\n"
+    "    bvec2 far = bvec2(corner == 1 || corner == 2 || corner == 4, corner == 2 || corner == 4 || corner == 5);\n"
+    "    highp vec2 at = vec2(far.x ? box.z : box.x, far.y ? box.w : box.y);\n"
+    "    gl_Position = vec4(at / size * 2.0 - 1.0, 0.0, 1.0);\n"
+    "}\n",
+    0};
+static const char *const tr_i_shader_seq_mask_frag[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// Adds the masks of a run to those of targets painted before, by GL_MIN or by multiplication. Red: where the target\n"
+    "// itself is not; green: where it is, which alone cuts other targets.\n"
+    "#if TR_TOGETHER\n"
+    "uniform highp sampler2D tr_remaining; // occluders still to be painted, in 255ths\n"
+    "#endif\n"
+    "layout(location = 0) out highp vec4 tr_alphas;\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    ivec2 pixel = ivec2(gl_FragCoord.xy);\n"
+    "    bool own;\n"
+    "    highp float depth, alpha = tr_mask_at(pixel, own, depth);\n"
+    "    if (alpha >= 1.0)\n"
+    "        discard;\n"
+    "#if TR_TOGETHER\n"
+    "    highp vec2 after = texelFetch(tr_remaining, pixel, 0).rg;\n"
+    "    highp float m = floor((own ? after.g : after.r) * 255.0 + 0.5);\n"
+    "    alpha = tr_shared(alpha, tr_seq_numbers.z > 0 ? min(m, float(tr_seq_numbers.z)) : m);\n"
+    "#endif\n"
+    "    alpha = mix(1.0, alpha, tr_masks[tr_v_mask].law.z);\n"
+    "    tr_alphas = own ? vec4(1.0, alpha, 1.0, 1.0) : vec4(alpha, 1.0, 1.0, 1.0);\n"
+    "}\n",
+    0};
+static const char *const tr_i_shader_seq_mask_glsl[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// What the mask of a target asks for at a pixel: Assarsson 2006, rule R2 and figure 2.\n"
+    "uniform highp sampler2D tr_seed;          // depth where the target is, open\n"
+    "uniform highp usampler2D tr_nearest_seed; // of seq_near.frag\n"
+    "flat in highp int tr_v_mask;\n"
+    "\n"
+    "int tr_seed_distance(ivec2 way)\n"
+    "{\n"
+    "#if TR_RINGS\n"
+    "    int rings = max(abs(way.x), abs(way.y));\n"
+    "    return rings * rings;\n"
+    "#else\n"
+    "    return way.x * way.x + way.y * way.y;\n"
+    "#endif\n"
+    "}\n"
+    "\n"
+    "// The square of the distance from a pixel to the nearest pixel of the target, and the depth there; -1: none within reach.\n"
+    "// The target itself is had at full resolution; around it the nearest of what the four cells around have found is taken.\n"
+    "int tr_find_seed(ivec2 pixel, out highp float depth)\n"
+    "{\n"
+    "    int cell = tr_seq_numbers.x, least = -1;\n"
+    "    depth = texelFetch(tr_seed, pixel, 0).r;\n"
+    "    if (depth != TR_CLEAR_DEPTH)\n"
+    "        return 0;\n"
+    "    ivec2 last = (tr_seq_view.zw - 1) / cell;\n"
+    "    ivec2 first = (2 * pixel - (cell - 1) + 2 * cell) / (2 * cell) - 1; // rounded down\n"
+    "    for (int i = 0; i < (cell == 1 ? 1 : 4); ++i) {\n"
+    "        ivec2 at = clamp(first + ivec2(i & 1, i >> 1), ivec2(0), last);\n"
+    "        highp uvec2 found = texelFetch(tr_nearest_seed, at, 0).rg;\n"
+    "        if (found.x == 0u)\n"
+    "            continue;\n"
+    "        ivec2 seed = at * cell + ivec2(found) - 32768;\n"
+    "        int size = tr_seed_distance(seed - pixel);\n"
+    "        highp float there = texelFetch(tr_seed, seed, 0).r;\n"
+    "        if (least >= 0 && (size > least || (size == least && !TR_NEARER(there, depth))))\n"
+    "            continue;\n"
+    "        least = size;\n"
+    "        depth = there;\n"
+    "    }\n"
+    "    return least;\n"
+    "}\n"
+    "\n"
+    "// The strongest of the search lights: 1 within its radius, falling to 0 over its edge.\n"
+    "highp float tr_light_at(highp vec2 place)\n"
+    "{\n"
+    "    highp float most = 0.0;\n"
+    "    for (int i = 0; i < tr_seq_numbers.w; ++i) {\n"
+    "        highp vec4 light = tr_seq_lights[i];\n"
+    "        highp float beyond = length(place - light.xy) - light.z;\n"
+    "        most = max(most, beyond <= 0.0 ? 1.0 : light.w > 0.0 ? clamp(1.0 - beyond / light.w, 0.0, 1.0) : 0.0);\n"
+    "    }\n"
+    "    return most;\n"
+    "}\n"
+    "\n"
+    "// Opacity that what is before the target is to have together; 1: no mask here. own: the target itself is here.\n"
+    "highp float tr_mask_at(ivec2 pixel, out bool own, out highp float depth)\n"
+    "{\n"
+    "    int square = tr_find_seed(pixel, depth);\n"
+    "    own = square == 0;\n"
+    "    if (square < 0)\n"
+    "        return 1.0;\n"
+    "    highp float beyond = max(sqrt(float(square)) - 1.0, 0.0), opacity = 1.0;\n"
+    "    if (own)\n"
+    "        opacity = tr_seq_law.x;\n"
+    "    else if (tr_seq_law.z > 0.0)\n"
+    "        opacity = mix(tr_seq_law.y, 1.0, min(beyond / tr_seq_law.z, 1.0));\n"
+    "    highp float strength = tr_masks[tr_v_mask].law.x;\n"
+    "    if (tr_masks[tr_v_mask].law.y > 0.0)\n"
+    "        strength *= tr_light_at(vec2(pixel) + 0.5);\n"
+    "    return mix(1.0, opacity, strength);\n"
+    "}\n"
+    "\n"
+    "// What each of m layers has so that together they have this opacity (Carnecky 2013, equation 5).\n"
+    "highp float tr_shared(highp float opacity, highp float m)\n"
+    "{\n"
+    "    return m > 0.0 ? 1.0 - pow(1.0 - opacity, 1.0 / m) : opacity;\n"
+    "}\n",
+    0};
+static const char *const tr_i_shader_seq_near_frag[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// The nearest pixel of a target, second half: over the rows above and below, for the middle of each cell. Distances are\n"
+    "// those between centres of pixels, or counted in rings of eight neighbours (TR_RINGS). Of several equally near that\n"
+    "// nearest to the eye. Stored: its column and row, from the cell's first, + 32768; 0: none.\n"
+    "uniform highp usampler2D tr_rows; // of seq_row.frag\n"
+    "uniform highp sampler2D tr_seed;\n"
+    "flat in highp int tr_v_mask;\n"
+    "layout(location = 0) out highp uvec4 tr_nearest;\n"
+    "\n"
+    "int tr_size(ivec2 way)\n"
+    "{\n"
+    "#if TR_RINGS\n"
+    "    return max(abs(way.x), abs(way.y));\n"
+    "#else\n"
+    "    return way.x * way.x + way.y * way.y;\n"
+    "#endif\n"
+    "}\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    highp ivec2 at = ivec2(gl_FragCoord.xy);\n"
+    "    highp ivec4 box = ivec4(tr_masks[tr_v_mask].box);\n"
+    "    int cell = tr_seq_numbers.x, least = 0x7fffffff;\n"
+    "    ivec2 first = at * cell, best = ivec2(0);\n"
+    "    for (int i = 0; i <= 2 * (tr_seq_numbers.y + cell) + 1; ++i) {\n"
+    "        int row = first.y + (i % 2 == 0 ? (cell - 1) / 2 - i / 2 : cell / 2 + i / 2);\n"
+    "        // In halves of pixels, since the middle of a cell may lie between two.\n"
+    "        int dy = 2 * (row - first.y) - (cell - 1);\n"
+    "        if (tr_size(ivec2(0, dy)) > least)\n"
+    "            break;\n"
+    "        if (row < box.y || row >= box.w || (cell % 2 == 1 && i == 1))\n"
+    "            continue;\n"
+    "        int column = int(texelFetch(tr_rows, ivec2(at.x, row), 0).r) - 32768;\n"
+    "        if (column == -32768)\n"
+    "            continue;\n"
+    "        int size = tr_size(ivec2(2 * column - (cell - 1), dy));\n"
+    "        if (size > least)\n"
+    "            continue;\n"
+    "        ivec2 seed = ivec2(first.x + column, row);\n"
+    "        if (size == least && !TR_NEARER(texelFetch(tr_seed, seed, 0).r, texelFetch(tr_seed, best, 0).r))\n"
+    "            continue;\n"
+    "        least = size;\n"
+    "        best = seed;\n"
+    "    }\n"
+    "    tr_nearest = least == 0x7fffffff ? uvec4(0u) : uvec4(uvec2(best - first + 32768), 0u, 0u);\n"
+    "}\n",
+    0};
+static const char *const tr_i_shader_seq_own_frag[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// What was painted into a target of our own, over the host's: colour is premultiplied.\n"
+    "uniform highp sampler2D tr_own_color;\n"
+    "uniform highp sampler2D tr_own_depth;\n"
+    "layout(location = 0) out highp vec4 tr_color;\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    ivec2 pixel = ivec2(gl_FragCoord.xy) - tr_seq_view.xy;\n"
+    "    tr_color = texelFetch(tr_own_color, pixel, 0);\n"
+    "    if (tr_color.a <= 0.0)\n"
+    "        discard;\n"
+    "    gl_FragDepth = texelFetch(tr_own_depth, pixel, 0).r;\n"
+    "}\n",
+    0};
+static const char *const tr_i_shader_seq_row_frag[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// The nearest pixel of a target to the left or right, first half of an exact distance: along the row, for the middle of\n"
+    "// each cell. Of two equally near the one nearer to the eye. Stored: its column, from the cell's first, + 32768; 0: none.\n"
+    "uniform highp sampler2D tr_seed; // depth where a target is\n"
+    "flat in highp int tr_v_mask;\n"
+    "layout(location = 0) out highp uvec4 tr_nearest;\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    highp ivec2 at = ivec2(gl_FragCoord.xy);\n"
+    "    highp ivec4 box = ivec4(tr_masks[tr_v_mask].box);\n"
+    "    int cell = tr_seq_numbers.x, first = at.x * cell, low = first + (cell - 1) / 2, high = first + cell / 2;\n"
+    "    tr_nearest = uvec4(0u);\n"
+    "    for (int i = 0; i <= tr_seq_numbers.y + cell; ++i) {\n"
+    "        int left = low - i, right = high + i;\n"
+    "        highp float to_left = left >= box.x && left < box.z ? texelFetch(tr_seed, ivec2(left, at.y), 0).r : TR_CLEAR_DEPTH;\n"
+    "        highp float to_right =\n"
+    "            right >= box.x && right < box.z ? texelFetch(tr_seed, ivec2(right, at.y), 0).r : TR_CLEAR_DEPTH;\n"
+    "        if (to_left == TR_CLEAR_DEPTH && to_right == TR_CLEAR_DEPTH)\n"
+    "            continue;\n"
+    "        tr_nearest.r = uint((TR_NEARER(to_right, to_left) ? right : left) - first + 32768);\n"
+    "        break;\n"
+    "    }\n"
+    "}\n",
+    0};
+static const char *const tr_i_shader_seq_units_glsl[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// Fragment stage. What a unit's fragment does in the passes of TR_SEE_SEQUENCE, TR_SEE_PUBLISHED and TR_SEE_EXACT.\n"
+    "//\n"
+    "// A host's fragment shader calls tr_see_through(color, code) once, last in main, before it writes color to its output of\n"
+    "// location 0. code: what tr_unit_code makes. Bits 0 to 15: id, 16 to 20: TR_UNIT_*, 24 to 31: importance in 255ths.\n"
+    "#define TR_RULE_SEE_BLOCK 16 // of the cheaper rungs\n"
+    "#define TR_RULE_SEE_DEPTH 22 // front-most surfaces: depth alone\n"
+    "#define TR_RULE_SEE_SEED 23  // where a target is, open\n"
+    "#define TR_RULE_SEE_BLEND 24 // colour, with the opacity that masks leave\n"
+    "#define TR_RULE_SEE_BLEND_LAYERS 25 // the same under layer control\n"
+    "#define TR_RULE_SEE_COUNT 26 // occluders a pixel\n"
+    "\n"
+    "#define TR_CODE_TARGET (1u << 16)\n"
+    "#define TR_CODE_CLOSES (10u << 16) // impenetrable or backdrop\n"
+    "#define TR_CODE_HOLLOW (4u << 16)\n"
+    "\n"
+    "// What an occluder keeps of its opacity whatever masks say. A target counts one less than it does as a target.\n"
+    "highp float tr_code_keeps(highp uint code)\n"
+    "{\n"
+    "    if ((code & TR_CODE_CLOSES) != 0u)\n"
+    "        return 1.0;\n"
+    "    return (code & TR_CODE_TARGET) != 0u ? 0.0 : float(code >> 24) * (1.0 / 255.0);\n"
+    "}\n"
+    "\n"
+    "#if TR_RULE == TR_RULE_SEE_SEED\n"
+    "uniform highp sampler2D tr_block_depth; // of what closes masks\n"
+    "#endif\n"
+    "#if TR_RULE == TR_RULE_SEE_BLEND || TR_RULE == TR_RULE_SEE_BLEND_LAYERS\n"
+    "uniform highp sampler2D tr_mask_alphas; // of seq_mask.frag\n"
+    "#endif\n"
+    "#if TR_RULE == TR_RULE_SEE_BLEND_LAYERS\n"
+    "uniform highp sampler2D tr_remaining; // occluders still to be painted, in 255ths\n"
+    "#endif\n"
+    "#if TR_RULE == TR_RULE_SEE_BLEND || TR_RULE == TR_RULE_SEE_BLEND_LAYERS\n"
+    "highp float tr_opacity_of(highp uint code)\n"
+    "{\n"
+    "    highp float keeps = tr_code_keeps(code);\n"
+    "    ivec2 pixel = ivec2(gl_FragCoord.xy) - tr_seq_view.xy;\n"
+    "    if (keeps >= 1.0)\n"
+    "        return 1.0;\n"
+    "    highp vec2 alphas = texelFetch(tr_mask_alphas, pixel, 0).rg;\n"
+    "#if TR_RULE == TR_RULE_SEE_BLEND_LAYERS\n"
+    "    // As many as are still to come lie nearer to the eye; of solids this one is among them. All of a hollow one's count as\n"
+    "    // one.\n"
+    "    highp vec2 nearer = texelFetch(tr_remaining, pixel, 0).rg * 255.0 + ((code & TR_CODE_HOLLOW) != 0u ? 0.5 : -0.5);\n"
+    "    alphas = mix(alphas, vec2(1.0), greaterThan(nearer, vec2(float(tr_seq_numbers.z))));\n"
+    "#endif\n"
+    "    if ((code & TR_CODE_TARGET) != 0u && tr_seq_step.z == 0)\n"
+    "        alphas.r = 1.0;\n"
+    "    return mix(tr_seq_step.y != 0 ? alphas.r * alphas.g : min(alphas.r, alphas.g), 1.0, keeps);\n"
+    "}\n"
+    "#endif\n"
+    "\n"
+    "void tr_see_through(inout highp vec4 color, highp uint code)\n"
+    "{\n"
+    "#if TR_RULE == TR_RULE_SEE_SEED\n"
+    "    highp float closed = texelFetch(tr_block_depth, ivec2(gl_FragCoord.xy), 0).r;\n"
+    "    if (TR_NEARER(closed, gl_FragCoord.z))\n"
+    "        discard;\n"
+    "#elif TR_RULE == TR_RULE_SEE_BLEND || TR_RULE == TR_RULE_SEE_BLEND_LAYERS\n"
+    "    color.a = tr_opacity_of(code);\n"
+    "#elif TR_RULE == TR_RULE_SEE_COUNT\n"
+    "    // Red: what a mask acts on beside its target, green: what it acts on where the target is.\n"
+    "    if (tr_code_keeps(code) >= 1.0)\n"
+    "        discard;\n"
+    "    bool beside = (code & TR_CODE_TARGET) == 0u || tr_seq_step.z != 0;\n"
+    "    color = vec4(beside ? 1.0 : 0.0, 1.0, 0.0, 0.0) * (1.0 / 255.0);\n"
+    "#endif\n"
+    "}\n",
+    0};
+static const char *const tr_i_shader_seq_wipe_frag[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// Makes a texture of depths forget what was within the boxes.\n"
+    "void main()\n"
+    "{\n"
+    "    gl_FragDepth = TR_CLEAR_DEPTH;\n"
+    "}\n",
+    0};
 static const char *const tr_i_shader_surface_frag[] = {
     "#line 1\n"
     "// For: transparency.h\n"
@@ -1513,6 +1872,10 @@ static const char *const tr_i_shader_surface_frag[] = {
     "#if TR_WANTS_COLOR\n"
     "in highp vec3 tr_v_normal;\n"
     "in highp vec4 tr_v_color;\n"
+    "#endif\n"
+    "\n"
+    "#if TR_IS_SEE && TR_RULE != TR_RULE_SEE_BLOCK\n"
+    "layout(location = 0) out highp vec4 tr_color;\n"
     "#endif\n"
     "\n"
     "void main()\n"
@@ -1531,9 +1894,16 @@ static const char *const tr_i_shader_surface_frag[] = {
     "    if (tr_may_show())\n"
     "        color.a *= tr_alpha();\n"
     "#endif\n"
-    "    tr_surface(color, tr_object);\n"
     "#else\n"
-    "    tr_surface(vec4(0.0), tr_object);\n"
+    "    highp vec4 color = vec4(0.0);\n"
+    "#endif\n"
+    "#if TR_IS_SEE\n"
+    "    tr_see_through(color, tr_object);\n"
+    "#if TR_RULE != TR_RULE_SEE_BLOCK\n"
+    "    tr_color = color;\n"
+    "#endif\n"
+    "#else\n"
+    "    tr_surface(color, tr_object);\n"
     "#endif\n"
     "}\n",
     0};
@@ -1868,6 +2238,7 @@ static const char *const tr_i_shader_take_opaque_frag[] = {
 #define TR_I_GL_DRAW_FRAMEBUFFER 0x8CA9u
 #define TR_I_GL_DRAW_FRAMEBUFFER_BINDING 0x8CA6u
 #define TR_I_GL_DYNAMIC_DRAW 0x88E8u
+#define TR_I_GL_EQUAL 0x0202u
 #define TR_I_GL_FILL 0x1B02u
 #define TR_I_GL_FLOAT 0x1406u
 #define TR_I_GL_FRAGMENT_SHADER 0x8B30u
@@ -1877,6 +2248,7 @@ static const char *const tr_i_shader_take_opaque_frag[] = {
 #define TR_I_GL_FRONT_FACE 0x0B46u
 #define TR_I_GL_FRAMEBUFFER_SRGB 0x8DB9u
 #define TR_I_GL_FUNC_ADD 0x8006u
+#define TR_I_GL_FUNC_REVERSE_SUBTRACT 0x800Bu
 #define TR_I_GL_GEQUAL 0x0206u
 #define TR_I_GL_GREATER 0x0204u
 #define TR_I_GL_INVALID_INDEX 0xFFFFFFFFu
@@ -1890,9 +2262,11 @@ static const char *const tr_i_shader_take_opaque_frag[] = {
 #define TR_I_GL_MAX_VIEWPORT_DIMS 0x0D3Au
 #define TR_I_GL_MAX_VIEWPORTS 0x825Bu
 #define TR_I_GL_MAX_UNIFORM_BUFFER_BINDINGS 0x8A2Fu
+#define TR_I_GL_MIN 0x8007u
 #define TR_I_GL_NEAREST 0x2600
 #define TR_I_GL_CLAMP_TO_EDGE 0x812F
 #define TR_I_GL_ONE 1u
+#define TR_I_GL_ONE_MINUS_SRC_ALPHA 0x0303u
 #define TR_I_GL_PIXEL_UNPACK_BUFFER 0x88ECu
 #define TR_I_GL_PIXEL_UNPACK_BUFFER_BINDING 0x88EFu
 #define TR_I_GL_POLYGON_MODE 0x0B40u
@@ -1901,15 +2275,20 @@ static const char *const tr_i_shader_take_opaque_frag[] = {
 #define TR_I_GL_POLYGON_OFFSET_POINT 0x2A01u
 #define TR_I_GL_RASTERIZER_DISCARD 0x8C89u
 #define TR_I_GL_R8 0x8229u
+#define TR_I_GL_R16UI 0x8234u
 #define TR_I_GL_RED 0x1903u
 #define TR_I_GL_READ_FRAMEBUFFER 0x8CA8u
 #define TR_I_GL_READ_FRAMEBUFFER_BINDING 0x8CAAu
 #define TR_I_GL_RGBA 0x1908u
 #define TR_I_GL_RGBA8 0x8058u
 #define TR_I_GL_RGBA32F 0x8814u
+#define TR_I_GL_RGBA16F 0x881Au
 #define TR_I_GL_R32UI 0x8236u
 #define TR_I_GL_RED_INTEGER 0x8D94u
 #define TR_I_GL_RG16UI 0x823Au
+#define TR_I_GL_RG8 0x822Bu
+#define TR_I_GL_RG 0x8227u
+#define TR_I_GL_RG16F 0x822Fu
 #define TR_I_GL_RG_INTEGER 0x8228u
 #define TR_I_GL_UNSIGNED_SHORT 0x1403u
 #define TR_I_GL_UNSIGNED_INT 0x1405u
@@ -1920,6 +2299,7 @@ static const char *const tr_i_shader_take_opaque_frag[] = {
 #define TR_I_GL_SAMPLE_MASK 0x8E51u
 #define TR_I_GL_SCISSOR_TEST 0x0C11u
 #define TR_I_GL_SRC_ALPHA 0x0302u
+#define TR_I_GL_SRC_COLOR 0x0300u
 #define TR_I_GL_STENCIL_TEST 0x0B90u
 #define TR_I_GL_TEXTURE0 0x84C0u
 #define TR_I_GL_TEXTURE_2D 0x0DE1u
@@ -2110,6 +2490,16 @@ enum {
     TR_I_FBO_COUNT
 };
 
+/* Programs of full-screen passes of sequences. */
+enum {
+    TR_I_SEQ_WIPE,
+    TR_I_SEQ_ROW,
+    TR_I_SEQ_NEAR, /* round; in rings */
+    TR_I_SEQ_MASK = TR_I_SEQ_NEAR + 2, /* + 1: in rings, + 2: shared by the occluders */
+    TR_I_SEQ_OVER = TR_I_SEQ_MASK + 4,
+    TR_I_SEQ_PROGRAM_COUNT
+};
+
 /* Built-in programs: one a rule, one that copies depth, and variants of the composition and of lines, which are found by
    a key; see tr_i_key_of. More of these than a plan can need. Then one a rule for each further rung of alpha. */
 #define TR_I_VARIANT_COUNT 24
@@ -2119,7 +2509,8 @@ enum {
     TR_I_PROGRAM_ALPHA = TR_I_PROGRAM_VARIANT + TR_I_VARIANT_COUNT,
     TR_I_PROGRAM_OUTLINE =
         TR_I_PROGRAM_ALPHA + ((int)TR_ALPHA_COUNT - 1) * (int)TR_RULE_COUNT, /* found; jumps; with ids */
-    TR_I_PROGRAM_COUNT = TR_I_PROGRAM_OUTLINE + 4
+    TR_I_PROGRAM_SEQUENCE = TR_I_PROGRAM_OUTLINE + 4, /* see TR_I_SEQ_WIPE */
+    TR_I_PROGRAM_COUNT = TR_I_PROGRAM_SEQUENCE + TR_I_SEQ_PROGRAM_COUNT
 };
 
 typedef struct tr_i_program {
@@ -2256,6 +2647,95 @@ typedef struct tr_i_see {
     int block_uploaded;
 } tr_i_see;
 
+/* ---- dynamic transparency: what a context keeps of sequences ---- */
+
+typedef struct tr_i_array { /* grows, and never shrinks */
+    void *items;
+    size_t count, capacity;
+} tr_i_array;
+
+/* Where a unit comes when whole objects are painted back to front: Assarsson 2006, section 4. */
+typedef struct tr_i_rank {
+    double depth;             /* of its group's middle, along the view; of what has none TR_I_FARTHEST */
+    uint32_t lowest, id;      /* of ids in its group; its own */
+    uint32_t group, backdrop; /* backdrops come first */
+    int32_t rank;
+} tr_i_rank;
+#define TR_I_FARTHEST 1.0e300
+
+/* The mask of a target; boxes are x0, y0, x1, y1, the last two outside. */
+typedef struct tr_i_mask {
+    int reach[4], box[4]; /* where it may be; what textures are drawn in for it */
+    uint32_t unit;
+    float strength, active, importance;
+} tr_i_mask;
+
+/* What is painted at a time: units of which none covers another on the screen; or masks that do not overlap. */
+typedef struct tr_i_item {
+    uint32_t first, count; /* of the list of units, or of the masks */
+    unsigned char masks, hollow;
+} tr_i_item;
+
+typedef struct tr_i_step { /* a pass to come */
+    uint32_t first, count; /* of the list of units, or boxes of a run of masks */
+    uint32_t block;        /* the copy of the uniform block that it reads */
+    uint8_t kind, rule, own, hollow, clear, subtract;
+} tr_i_step;
+
+#define TR_I_RUN 64 /* masks, or units, at most in an item */
+
+/* The uniform block of shaders/seq_block.glsl, std140. */
+typedef struct tr_i_seq_block {
+    float light[4], cool[4], warm[4], law[4], background[4];
+    int32_t view[4], numbers[4], step[4];
+    float lights[TR_MAX_LIGHTS][4];
+    float masks[TR_I_RUN][8];
+} tr_i_seq_block;
+#define TR_I_SEQ_STRIDE 2560 /* of its copies, one a run or a layer: a multiple of 256 */
+
+/* Textures: of pixels, but for ROWS and NEAREST, which have a texel a cell. */
+enum {
+    TR_I_SEQ_SEED,      /* depth where a target of the run is, open */
+    TR_I_SEQ_ROWS,      /* the nearest pixel of it in each row */
+    TR_I_SEQ_NEAREST,   /* the nearest of all */
+    TR_I_SEQ_BLOCK,     /* depth of what closes masks */
+    TR_I_SEQ_ALPHAS,    /* the masks so far */
+    TR_I_SEQ_OWN_COLOR, /* a target of our own, where occluders have to be counted */
+    TR_I_SEQ_OWN_DEPTH,
+    TR_I_SEQ_REMAINING, /* occluders still to be painted */
+    TR_I_SEQ_TEXTURE_COUNT
+};
+
+enum {
+    TR_I_SEQ_FBO_SEED,
+    TR_I_SEQ_FBO_ROWS,
+    TR_I_SEQ_FBO_NEAREST,
+    TR_I_SEQ_FBO_BLOCK,
+    TR_I_SEQ_FBO_ALPHAS,
+    TR_I_SEQ_FBO_OWN,
+    TR_I_SEQ_FBO_COUNTS,
+    TR_I_SEQ_FBO_COUNT
+};
+
+typedef struct tr_i_sequence {
+    tr_i_array ranks, by_group, painted; /* of all units */
+    tr_i_array list, scene;              /* of units, as passes draw them */
+    tr_i_array masks, items, steps, blocks;
+    tr_i_step lost; /* where a step goes that there is no memory for */
+    size_t step;
+    uint32_t pending; /* masks from this one on are of targets painted already, and not yet drawn */
+    int open;         /* 1: the last item may still take units */
+    int grow, reach;  /* pixels around a target that its mask's textures cover; that its mask covers */
+    int no_memory;
+    int counted, published, product, each, layers, divisor; /* of this frame */
+    int width, height, texture_divisor;               /* of the textures */
+    int eight_bits;                                   /* 1: float textures cannot be drawn into */
+    int active;                                       /* this frame is of one */
+    int dirty;                                        /* the scene is drawn after state has been set */
+    tr_i_u textures[TR_I_SEQ_TEXTURE_COUNT], fbos[TR_I_SEQ_FBO_COUNT], buffer;
+    size_t buffer_size;
+} tr_i_sequence;
+
 #define TR_I_MAX_STRINGS 48
 
 struct tr_context {
@@ -2286,6 +2766,7 @@ struct tr_context {
     int next_pass; /* of the plan */
     int in_frame;
     tr_i_see see;
+    tr_i_sequence seq;
 };
 
 /* ---- text without stdio ----------------------------------------------------------------------------------------- */
@@ -2364,7 +2845,8 @@ TR_I_API const char *tr_pass_kind_name(tr_pass_kind kind) {
                                         "block",        "targets",     "spread x",
                                         "spread y",     "finish",      "prime",
                                         "scene",        "behind",      "yield",
-                                        "compose mask", "query",       "hides"};
+                                        "compose mask", "query",       "hides",
+ "wipe", "seeds", "rows", "nearest", "masks", "paint depth", "paint", "count", "paint over"};
     return (unsigned)kind < (unsigned)TR_PASS_KIND_COUNT ? names[kind] : "unknown pass";
 }
 
@@ -3352,6 +3834,454 @@ TR_I_API size_t tr_see_plan_print(const tr_see_plan *plan, char *string, size_t 
     return text.length;
 }
 
+/* ---- dynamic transparency: the order of painting ---- */
+
+typedef int (*tr_i_before)(const tr_i_rank *ranks, uint32_t a, uint32_t b);
+
+/* By groups, so that members stand together; units on their own as they come. */
+static int tr_i_before_in_groups(const tr_i_rank *ranks, uint32_t a, uint32_t b) {
+    return ranks[a].group != ranks[b].group ? ranks[a].group < ranks[b].group : a < b;
+}
+
+/* Farthest first; of groups equally far that with the lowest id is painted last, and so are ids within a rank. */
+static int tr_i_before_in_painting(const tr_i_rank *ranks, uint32_t a, uint32_t b) {
+    const tr_i_rank *p = &ranks[a], *q = &ranks[b];
+    if (p->backdrop != q->backdrop)
+        return p->backdrop > q->backdrop;
+    if (p->depth != q->depth)
+        return p->depth > q->depth;
+    if (p->lowest != q->lowest)
+        return p->lowest > q->lowest;
+    if (p->rank != q->rank)
+        return p->rank < q->rank;
+    return p->id != q->id ? p->id > q->id : a > b;
+}
+
+/* Sorting by insertion, as long as that takes few moves: 0 when it took too many. */
+static int tr_i_insert_all(const tr_i_rank *ranks, tr_i_before before, uint32_t *order, size_t count) {
+    size_t moves = 0, i, at;
+    for (i = 1; i < count; ++i) {
+        uint32_t item = order[i];
+        for (at = i; at > 0 && before(ranks, item, order[at - 1]); --at)
+            order[at] = order[at - 1];
+        order[at] = item;
+        moves += i - at;
+        if (moves > 16 * count)
+            return 0;
+    }
+    return 1;
+}
+
+static void tr_i_sift_down(const tr_i_rank *ranks, tr_i_before before, uint32_t *heap, size_t root, size_t count) {
+    uint32_t item = heap[root];
+    size_t child;
+    for (; (child = 2 * root + 1) < count; root = child) {
+        if (child + 1 < count && before(ranks, heap[child], heap[child + 1]))
+            ++child;
+        if (!before(ranks, item, heap[child]))
+            break;
+        heap[root] = heap[child];
+    }
+    heap[root] = item;
+}
+
+/* From the order of the frame before there is little to do; where there is much, by a heap. Both orders are total, so that
+   either way the result is one and the same. */
+static void tr_i_sort_coherently(const tr_i_rank *ranks, tr_i_before before, uint32_t *order, size_t count) {
+    size_t i;
+    if (tr_i_insert_all(ranks, before, order, count))
+        return;
+    for (i = count / 2; i-- > 0;)
+        tr_i_sift_down(ranks, before, order, i, count);
+    for (i = count; i-- > 1;) {
+        uint32_t top = order[0];
+        order[0] = order[i];
+        order[i] = top;
+        tr_i_sift_down(ranks, before, order, 0, i);
+    }
+}
+
+/* The distance of a unit's middle from the eye along the view. */
+static double tr_i_middle(const float view[16], const tr_unit *unit) {
+    double depth = -(double)view[14];
+    int r;
+    for (r = 0; r < 3; ++r)
+        depth -= (double)view[4 * r + 2] * (double)unit->center[r];
+    return fabs(depth) < TR_I_FARTHEST ? depth : TR_I_FARTHEST; /* NaN compares false */
+}
+
+static void tr_i_rank_unit(tr_i_rank *rank, const float view[16], const tr_unit *unit) {
+    rank->depth = tr_i_middle(view, unit);
+    rank->lowest = rank->id = unit->id;
+    rank->group = unit->group;
+    rank->backdrop = (unit->flags & TR_UNIT_BACKDROP) != 0;
+    rank->rank = unit->rank;
+}
+
+/* Gives members of a group the mean of their middles, of those that have one, and the lowest id. */
+static void tr_i_join_groups(tr_i_rank *ranks, const uint32_t *order, size_t count) {
+    size_t first, end, i;
+    for (first = 0; first < count; first = end) {
+        uint32_t group = ranks[order[first]].group, lowest = UINT32_MAX;
+        double sum = 0, members = 0;
+        for (end = first; end < count && ranks[order[end]].group == group && (group != 0 || end == first); ++end) {
+            const tr_i_rank *rank = &ranks[order[end]];
+            lowest = rank->id < lowest ? rank->id : lowest;
+            if (rank->depth < TR_I_FARTHEST) {
+                sum += rank->depth;
+                members += 1;
+            }
+        }
+        for (i = first; i < end; ++i) {
+            ranks[order[i]].lowest = lowest;
+            ranks[order[i]].depth = members > 0 ? sum / members : TR_I_FARTHEST;
+        }
+    }
+}
+
+/* ---- dynamic transparency: sequences of whole objects ---- */
+
+/* Room for one more; NULL without memory. */
+static void *tr_i_push(tr_context *tr, tr_i_array *array, size_t size) {
+    if (array->count == array->capacity) {
+        size_t capacity = array->capacity + array->capacity / 2 + 64;
+        void *items =
+            capacity > SIZE_MAX / size ? 0 : tr->desc.alloc_fn(capacity * size, tr->desc.alloc_user);
+        if (!items)
+            return 0;
+        if (array->items) {
+            memcpy(items, array->items, array->count * size);
+            tr->desc.free_fn(array->items, tr->desc.alloc_user);
+        }
+        array->items = items;
+        array->capacity = capacity;
+    }
+    return (char *)array->items + size * array->count++;
+}
+
+static int tr_i_boxes_meet(const int a[4], const int b[4]) {
+    return a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3];
+}
+
+static void tr_i_grow_box(const int box[4], int by, int width, int height, int out[4]) {
+    out[0] = box[0] > by ? box[0] - by : 0;
+    out[1] = box[1] > by ? box[1] - by : 0;
+    out[2] = box[2] < width - by ? box[2] + by : width;
+    out[3] = box[3] < height - by ? box[3] + by : height;
+}
+
+/* Orders of as many units as in the frame before are good to start from. */
+static int tr_i_fit_orders(tr_context *tr, tr_i_sequence *seq, size_t count) {
+    size_t i;
+    if (seq->painted.count == count && seq->ranks.count == count)
+        return 1;
+    seq->ranks.count = seq->by_group.count = seq->painted.count = 0;
+    for (i = 0; i < count; ++i) {
+        uint32_t *a = (uint32_t *)tr_i_push(tr, &seq->by_group, sizeof *a);
+        uint32_t *b = (uint32_t *)tr_i_push(tr, &seq->painted, sizeof *b);
+        if (!a || !b || !tr_i_push(tr, &seq->ranks, sizeof(tr_i_rank)))
+            return 0;
+        *a = *b = (uint32_t)i;
+    }
+    return 1;
+}
+
+static int tr_i_order_units(tr_context *tr, tr_i_sequence *seq, const tr_dynamic *dynamic) {
+    tr_i_rank *ranks;
+    size_t i, count = dynamic->unit_count;
+    if (!tr_i_fit_orders(tr, seq, count))
+        return 0;
+    ranks = (tr_i_rank *)seq->ranks.items;
+    for (i = 0; i < count; ++i) {
+        tr_unit unit = tr_i_unit_at(dynamic, i);
+        tr_i_rank_unit(&ranks[i], dynamic->view, &unit);
+    }
+    tr_i_sort_coherently(ranks, tr_i_before_in_groups, (uint32_t *)seq->by_group.items, count);
+    tr_i_join_groups(ranks, (const uint32_t *)seq->by_group.items, count);
+    tr_i_sort_coherently(ranks, tr_i_before_in_painting, (uint32_t *)seq->painted.items, count);
+    return 1;
+}
+
+/* What of the viewport a unit may cover; 0: nothing. */
+static int tr_i_box_of(const tr_i_place *places, size_t unit, int box[4]) {
+    box[0] = places[unit].x0;
+    box[1] = places[unit].y0;
+    box[2] = places[unit].x1;
+    box[3] = places[unit].y1;
+    return box[2] > box[0];
+}
+
+/* Whether any mask from the first-th on may reach into a box. */
+static int tr_i_meets_masks(const tr_i_sequence *seq, size_t first, const int box[4]) {
+    const tr_i_mask *masks = (const tr_i_mask *)seq->masks.items;
+    size_t i;
+    for (i = first; i < seq->masks.count; ++i)
+        if (tr_i_boxes_meet(masks[i].reach, box))
+            return 1;
+    return 0;
+}
+
+static void tr_i_list_unit(tr_context *tr, tr_i_sequence *seq, tr_i_array *list, uint32_t unit) {
+    uint32_t *at = (uint32_t *)tr_i_push(tr, list, sizeof *at);
+    if (at)
+        *at = unit;
+    else
+        seq->no_memory = 1;
+}
+
+static tr_i_item *tr_i_add_item(tr_context *tr, tr_i_sequence *seq, uint32_t first, uint32_t count) {
+    tr_i_item *item = (tr_i_item *)tr_i_push(tr, &seq->items, sizeof *item);
+    seq->open = 0;
+    if (!item) {
+        seq->no_memory = 1;
+        return 0;
+    }
+    memset(item, 0, sizeof *item);
+    item->first = first;
+    item->count = count;
+    return item;
+}
+
+/* The masks of all targets painted so far are drawn now. */
+static void tr_i_flush_masks(tr_context *tr, tr_i_sequence *seq) {
+    uint32_t count = (uint32_t)seq->masks.count - seq->pending;
+    tr_i_item *item = count ? tr_i_add_item(tr, seq, seq->pending, count) : 0;
+    if (item)
+        item->masks = 1;
+    seq->pending = (uint32_t)seq->masks.count;
+}
+
+/* Whether a unit may be painted along with those of the last item: nothing of one may cover anything of another. */
+static int tr_i_joins_item(const tr_i_sequence *seq, const tr_i_place *places, const int box[4], int hollow) {
+    const tr_i_item *item = (const tr_i_item *)seq->items.items + seq->items.count - 1;
+    const uint32_t *list = (const uint32_t *)seq->list.items;
+    uint32_t i;
+    int other[4];
+    if (!seq->open || item->hollow != hollow || item->count == TR_I_RUN)
+        return 0;
+    for (i = 0; i < item->count; ++i)
+        if (tr_i_box_of(places, list[item->first + i], other) && tr_i_boxes_meet(other, box))
+            return 0;
+    return 1;
+}
+
+/* Paints a unit that masks may make transparent. */
+static void tr_i_paint(tr_context *tr, tr_i_sequence *seq, const tr_i_place *places, uint32_t unit, int hollow,
+                       const int box[4]) {
+    if (tr_i_joins_item(seq, places, box, hollow)) {
+        ++((tr_i_item *)seq->items.items + seq->items.count - 1)->count;
+    } else {
+        tr_i_item *item = tr_i_add_item(tr, seq, (uint32_t)seq->list.count, 1);
+        if (item)
+            item->hollow = (unsigned char)hollow;
+        seq->open = item != 0;
+    }
+    tr_i_list_unit(tr, seq, &seq->list, unit);
+}
+
+/* A target has been painted: its mask waits for the first that it may make transparent. Those that wait do not overlap,
+   so that one run of passes draws them all. */
+static void tr_i_add_mask(tr_context *tr, tr_i_sequence *seq, const tr_unit *unit, uint32_t index, const int core[4],
+                          const int size[2]) {
+    tr_i_mask *mask, made;
+    size_t i;
+    memset(&made, 0, sizeof made);
+    made.unit = index;
+    made.strength = 1.0f - tr_i_fade_of(unit);
+    made.importance = tr_i_importance_of(unit);
+    made.active = unit->flags & TR_UNIT_ACTIVE ? 1.0f : 0.0f;
+    tr_i_grow_box(core, seq->reach, size[0], size[1], made.reach);
+    tr_i_grow_box(core, seq->grow, size[0], size[1], made.box);
+    for (i = seq->pending; i < seq->masks.count; ++i)
+        if (tr_i_boxes_meet(((const tr_i_mask *)seq->masks.items)[i].box, made.box))
+            break;
+    if (i < seq->masks.count || seq->masks.count - seq->pending == TR_I_RUN)
+        tr_i_flush_masks(tr, seq);
+    mask = (tr_i_mask *)tr_i_push(tr, &seq->masks, sizeof *mask);
+    if (!mask) {
+        seq->no_memory = 1;
+        return;
+    }
+    *mask = made;
+}
+
+static int tr_i_seq_yields(const tr_unit *unit) {
+    if (unit->flags & (TR_UNIT_IMPENETRABLE | TR_UNIT_BACKDROP))
+        return 0;
+    return (unit->flags & TR_UNIT_TARGET) || tr_i_importance_of(unit) < 1.0f;
+}
+
+/* Whether a target's mask may act on anything that is painted after it. */
+static int tr_i_is_covered(const tr_i_sequence *seq, const tr_dynamic *dynamic, const tr_i_place *places, size_t at) {
+    const uint32_t *order = (const uint32_t *)seq->painted.items;
+    int core[4], reach[4], box[4];
+    size_t i;
+    tr_i_box_of(places, order[at], core);
+    /* Of the viewport's edges nothing depends here. */
+    tr_i_grow_box(core, seq->reach, 0xffff, 0xffff, reach);
+    for (i = at + 1; i < dynamic->unit_count; ++i) {
+        tr_unit unit;
+        if (!tr_i_box_of(places, order[i], box) || !tr_i_boxes_meet(box, reach))
+            continue;
+        unit = tr_i_unit_at(dynamic, order[i]);
+        if (tr_i_seq_yields(&unit))
+            return 1;
+    }
+    return 0;
+}
+
+/* One unit in the order of painting. What no mask may make transparent is painted with the scene, in any order. */
+static void tr_i_arrange_unit(tr_context *tr, const tr_dynamic *dynamic, size_t at, const int size[2]) {
+    tr_i_sequence *seq = &tr->seq;
+    const tr_i_place *places = tr->see.places;
+    uint32_t index = ((const uint32_t *)seq->painted.items)[at];
+    tr_unit unit = tr_i_unit_at(dynamic, index);
+    int box[4];
+    if (!tr_i_box_of(places, index, box)) {
+        tr_i_list_unit(tr, seq, &seq->scene, index);
+        return;
+    }
+    if (!tr_i_meets_masks(seq, 0, box)) {
+        tr_i_list_unit(tr, seq, &seq->scene, index);
+    } else {
+        if (tr_i_seq_yields(&unit) && tr_i_meets_masks(seq, seq->pending, box))
+            tr_i_flush_masks(tr, seq);
+        tr_i_paint(tr, seq, places, index, (unit.flags & TR_UNIT_HOLLOW) != 0, box);
+    }
+    if (tr_i_opens(dynamic, &unit, &places[index], seq->reach) && tr_i_is_covered(seq, dynamic, places, at))
+        tr_i_add_mask(tr, seq, &unit, index, box, size);
+}
+
+/* Who is painted when, and which masks are drawn when. */
+static void tr_i_arrange_units(tr_context *tr, const tr_dynamic *dynamic, const int size[2]) {
+    tr_i_sequence *seq = &tr->seq;
+    size_t at;
+    seq->list.count = seq->scene.count = seq->masks.count = seq->items.count = 0;
+    seq->pending = 0;
+    seq->open = seq->no_memory = 0;
+    for (at = 0; at < dynamic->unit_count; ++at)
+        tr_i_arrange_unit(tr, dynamic, at, size);
+}
+
+/* ---- dynamic transparency: the steps of a sequence ---- */
+
+static tr_i_step *tr_i_add_step(tr_context *tr, tr_pass_kind kind, tr_rule rule, size_t first, size_t count) {
+    tr_i_step *step = (tr_i_step *)tr_i_push(tr, &tr->seq.steps, sizeof *step);
+    if (!step) {
+        tr->seq.no_memory = 1;
+        step = &tr->seq.lost;
+    }
+    memset(step, 0, sizeof *step);
+    step->kind = (uint8_t)kind;
+    step->rule = (uint8_t)rule;
+    step->first = (uint32_t)first;
+    step->count = (uint32_t)count;
+    return step;
+}
+
+/* Lists the units of a class that meet any mask, and returns how many. */
+static size_t tr_i_list_meeting(tr_context *tr, const tr_dynamic *dynamic, const tr_i_array *from, int closing) {
+    tr_i_sequence *seq = &tr->seq;
+    size_t i, first = seq->list.count, count = from->count;
+    for (i = 0; i < count; ++i) {
+        uint32_t index = ((const uint32_t *)from->items)[i];
+        tr_unit unit = tr_i_unit_at(dynamic, index);
+        int box[4];
+        if ((!closing || (unit.flags & (TR_UNIT_IMPENETRABLE | TR_UNIT_BACKDROP))) &&
+            tr_i_box_of(tr->see.places, index, box) && tr_i_meets_masks(seq, 0, box))
+            tr_i_list_unit(tr, seq, &seq->list, index);
+    }
+    return seq->list.count - first;
+}
+
+/* The targets of a run of masks: where they are open, how far every pixel is from them, and what follows from that. */
+static void tr_i_add_run(tr_context *tr, const tr_i_item *item, uint32_t block, int has_block, int first) {
+    tr_i_sequence *seq = &tr->seq;
+    const tr_i_mask *masks = (const tr_i_mask *)seq->masks.items;
+    static const tr_pass_kind kinds[4] = {TR_PASS_WIPE, TR_PASS_ROWS, TR_PASS_NEAREST, TR_PASS_MASKS};
+    size_t units = seq->list.count;
+    uint32_t i;
+    for (i = 0; i < item->count; ++i)
+        tr_i_list_unit(tr, seq, &seq->list, masks[item->first + i].unit);
+    for (i = 0; i < 4; ++i) {
+        tr_i_step *step = tr_i_add_step(tr, kinds[i], TR_RULE_SEE_PLAIN, 0, item->count);
+        step->block = block;
+        step->clear = kinds[i] == TR_PASS_MASKS && first;
+        if (kinds[i] == TR_PASS_WIPE)
+            tr_i_add_step(tr, TR_PASS_SEEDS, has_block ? TR_RULE_SEE_SEED : TR_RULE_SEE_DEPTH, units, item->count);
+    }
+}
+
+/* The units of an item: solids by their front-most surfaces, which depth finds first; hollow ones surface by surface, as
+   the host sorts them. */
+static void tr_i_add_painting(tr_context *tr, const tr_i_item *item, int counting) {
+    int counted = tr->seq.counted, hollow = item->hollow, i;
+    for (i = 0; i < 3; ++i) {
+        /* A hollow unit is counted before it is painted: afterwards its own depth would hide all but its nearest. */
+        static const tr_pass_kind solid[3] = {TR_PASS_PAINT_DEPTH, TR_PASS_PAINT, TR_PASS_COUNT};
+        static const tr_pass_kind surfaces[3] = {TR_PASS_PAINT_DEPTH, TR_PASS_COUNT, TR_PASS_PAINT};
+        tr_pass_kind kind = hollow ? surfaces[i] : solid[i];
+        tr_i_step *step;
+        if ((kind == TR_PASS_PAINT_DEPTH && hollow) || (kind == TR_PASS_COUNT && !counted) ||
+            (kind == TR_PASS_PAINT && counting))
+            continue;
+        step = tr_i_add_step(tr, kind,
+                             kind == TR_PASS_PAINT_DEPTH ? TR_RULE_SEE_DEPTH
+                             : kind == TR_PASS_COUNT     ? TR_RULE_SEE_COUNT
+                             : tr->seq.layers            ? TR_RULE_SEE_BLEND_LAYERS
+                                                         : TR_RULE_SEE_BLEND,
+                             item->first, item->count);
+        step->own = (uint8_t)counted;
+        step->hollow = (uint8_t)hollow;
+        step->subtract = (uint8_t)!counting;
+    }
+}
+
+/* What is painted with the scene and may hide what is painted later, into our own depth. */
+static void tr_i_add_priming(tr_context *tr, size_t first, size_t count, int counting) {
+    tr_i_step *step = tr_i_add_step(tr, TR_PASS_PAINT_DEPTH, TR_RULE_SEE_DEPTH, first, count);
+    step->own = 1;
+    step->clear = 1;
+    step->subtract = (uint8_t)!counting;
+}
+
+static void tr_i_add_sweep(tr_context *tr, int counting, int has_block) {
+    tr_i_sequence *seq = &tr->seq;
+    uint32_t block = 0;
+    size_t i;
+    for (i = 0; i < seq->items.count; ++i) {
+        tr_i_item item = ((const tr_i_item *)seq->items.items)[i];
+        if (!item.masks)
+            tr_i_add_painting(tr, &item, counting);
+        else if (!counting) {
+            tr_i_add_run(tr, &item, block, has_block, block == 0);
+            ++block;
+        }
+    }
+}
+
+/* All passes of TR_SEE_SEQUENCE and TR_SEE_PUBLISHED, from the items. */
+static void tr_i_add_steps(tr_context *tr, const tr_dynamic *dynamic) {
+    tr_i_sequence *seq = &tr->seq;
+    size_t first = seq->list.count, blocks = 0, primed = 0;
+    seq->steps.count = 0;
+    tr_i_add_step(tr, TR_PASS_SCENE, TR_RULE_SEE_PLAIN, 0, seq->scene.count);
+    if (!seq->published)
+        blocks = tr_i_list_meeting(tr, dynamic, &seq->painted, 1);
+    if (blocks)
+        tr_i_add_step(tr, TR_PASS_BLOCK, TR_RULE_SEE_DEPTH, first, blocks)->clear = 1;
+    first = seq->list.count;
+    if (seq->counted) {
+        primed = tr_i_list_meeting(tr, dynamic, &seq->scene, 0);
+        tr_i_add_priming(tr, first, primed, 1);
+        tr_i_add_sweep(tr, 1, blocks != 0);
+        tr_i_add_priming(tr, first, primed, 0);
+    }
+    tr_i_add_sweep(tr, 0, blocks != 0);
+    if (seq->counted)
+        tr_i_add_step(tr, TR_PASS_PAINT_OVER, TR_RULE_SEE_PLAIN, 0, 0)->clear = 0;
+}
+
 /* ---- dynamic transparency: bad input ---- */
 
 static const char *tr_i_check_law(const tr_dynamic *dynamic) {
@@ -3377,7 +4307,7 @@ static const char *tr_i_check_law(const tr_dynamic *dynamic) {
 /* What the rung cannot do. */
 static const char *tr_i_check_rung(const tr_dynamic *dynamic) {
     int one_mask = dynamic->see == TR_SEE_ONE_MASK, dither = dynamic->see == TR_SEE_DITHER;
-    if (!one_mask && !dither && dynamic->see != TR_SEE_OFF)
+    if (dynamic->see == TR_SEE_EXACT)
         return "dynamic.see";
     if (dynamic->shape != TR_MASK_OUTLINE)
         return "dynamic.shape";
@@ -3731,6 +4661,7 @@ static void tr_i_mask_colors(const tr_context *tr, int count) {
 /* Makes the context's state what the pass says, whatever it was. */
 static void tr_i_apply(const tr_context *tr, const tr_state *state) {
     const tr_i_gl *gl = &tr->gl;
+    tr_i_u equation = state->blend_equation ? state->blend_equation : TR_I_GL_FUNC_ADD;
     int i;
     for (i = 0; i < TR_I_CAPS_OFF; ++i)
         if (tr_i_has_cap(tr, i))
@@ -3752,11 +4683,13 @@ static void tr_i_apply(const tr_context *tr, const tr_state *state) {
         gl->ClearBufferfv(TR_I_GL_COLOR, 0, state->clear_color_value);
     if (state->clear_depth)
         gl->ClearBufferfv(TR_I_GL_DEPTH, 0, &state->clear_depth_value);
+    if (state->clear_color && !state->color_write)
+        tr_i_mask_colors(tr, 0);
     gl->DepthMask((unsigned char)state->depth_write);
     tr_i_switch(tr, TR_I_GL_DEPTH_TEST, state->depth_test);
     gl->DepthFunc(state->depth_func);
     tr_i_set_blend(tr, state->blend, state->blend_source, state->blend_destination, state->blend_source_alpha,
-                   state->blend_destination_alpha, TR_I_GL_FUNC_ADD, TR_I_GL_FUNC_ADD);
+                   state->blend_destination_alpha, equation, equation);
     tr_i_switch(tr, TR_I_GL_CULL_FACE, state->cull_face != 0);
     gl->CullFace(state->cull_face ? state->cull_face : TR_I_GL_BACK);
     gl->FrontFace(state->front_face);
@@ -3814,7 +4747,7 @@ static int tr_i_wants_color(int rule) {
     return rule == TR_RULE_FRONT_ALONE || rule == TR_RULE_PEEL_ALONE || rule == TR_RULE_LAYER ||
            rule == TR_RULE_LAYER_MARKED || rule == TR_RULE_LAYER_GROUP || rule == TR_RULE_OPAQUE ||
            rule == TR_RULE_OPAQUE_ENTERING || rule == TR_RULE_SEE_PLAIN || rule == TR_RULE_SEE_BEHIND ||
-           rule == TR_RULE_SEE_DITHER;
+           rule == TR_RULE_SEE_DITHER || rule == TR_RULE_SEE_BLEND || rule == TR_RULE_SEE_BLEND_LAYERS;
 }
 
 static int tr_i_wants_alpha(int rule) {
@@ -3828,13 +4761,15 @@ static void tr_i_add_rule(tr_i_source *source, int rule) {
         "#define TR_RULE 8\n",  "#define TR_RULE 9\n",  "#define TR_RULE 10\n", "#define TR_RULE 11\n",
         "#define TR_RULE 12\n", "#define TR_RULE 13\n", "#define TR_RULE 14\n", "#define TR_RULE 15\n",
         "#define TR_RULE 16\n", "#define TR_RULE 17\n", "#define TR_RULE 18\n", "#define TR_RULE 19\n",
-        "#define TR_RULE 20\n", "#define TR_RULE 21\n"};
+        "#define TR_RULE 20\n", "#define TR_RULE 21\n", "#define TR_RULE 22\n", "#define TR_RULE 23\n",
+        "#define TR_RULE 24\n", "#define TR_RULE 25\n", "#define TR_RULE 26\n"};
     tr_i_add(source, rules[rule]);
     tr_i_add(source, tr_i_wants_color(rule) ? "#define TR_WANTS_COLOR 1\n" : "#define TR_WANTS_COLOR 0\n");
     tr_i_add(source, tr_i_wants_alpha(rule) ? "#define TR_WANTS_ALPHA 1\n" : "#define TR_WANTS_ALPHA 0\n");
     tr_i_add(source, rule == TR_RULE_PEEL_GROUP || rule == TR_RULE_LIMIT_MARKED || rule == TR_RULE_LIMIT_MARKED_SHEET
                          ? "#define TR_CHAIN 1\n"
                          : "#define TR_CHAIN 0\n");
+    tr_i_add(source, rule >= TR_RULE_SEE_PLAIN ? "#define TR_IS_SEE 1\n" : "#define TR_IS_SEE 0\n");
     tr_i_add(source, rule == TR_RULE_OPAQUE_ENTERING ? "#define TR_STRENGTHENS 1\n" : "#define TR_STRENGTHENS 0\n");
 }
 
@@ -3847,6 +4782,10 @@ static void tr_i_host_source(tr_i_source *source, tr_stage stage, int rule, int 
     if (stage == TR_VERTEX) {
         tr_i_add_chunks(source, tr_i_shader_surface_vertex_glsl);
         tr_i_add_chunks(source, tr_i_shader_alpha_law_glsl);
+    } else if (rule >= TR_RULE_SEE_DEPTH) {
+        tr_i_add_chunks(source, tr_i_shader_seq_block_glsl);
+        tr_i_add_chunks(source, tr_i_shader_seq_units_glsl);
+        tr_i_add_chunks(source, tr_i_shader_cool_to_warm_glsl);
     } else {
         tr_i_add_chunks(source, tr_i_shader_frame_block_glsl);
         tr_i_add_chunks(source, tr_i_shader_chain_glsl);
@@ -3948,6 +4887,29 @@ static void tr_i_alpha_source(tr_i_source *source, tr_stage stage, int alpha) {
     }
 }
 
+/* Full-screen passes of sequences, by the programs' numbers from TR_I_SEQ_WIPE on. */
+static void tr_i_seq_source(tr_i_source *source, tr_stage stage, int program) {
+    int mask = program >= TR_I_SEQ_MASK && program < TR_I_SEQ_OVER;
+    int variant = program - (mask ? TR_I_SEQ_MASK : TR_I_SEQ_NEAR);
+    int boxes = program == TR_I_SEQ_ROW ? 1 : program >= TR_I_SEQ_NEAR && program < TR_I_SEQ_MASK ? 2 : 0;
+    tr_i_add_chunks(source, tr_i_shader_seq_block_glsl);
+    if (stage == TR_VERTEX) {
+        tr_i_add_define(source, "TR_BOXES", (uint32_t)boxes);
+        tr_i_add_chunks(source,
+                        program == TR_I_SEQ_OVER ? tr_i_shader_fullscreen_vert : tr_i_shader_seq_boxes_vert);
+        return;
+    }
+    tr_i_add_define(source, "TR_RINGS", (uint32_t)(variant & 1));
+    tr_i_add_define(source, "TR_TOGETHER", (uint32_t)(mask ? variant >> 1 : 0));
+    if (mask)
+        tr_i_add_chunks(source, tr_i_shader_seq_mask_glsl);
+    tr_i_add_chunks(source, program == TR_I_SEQ_WIPE   ? tr_i_shader_seq_wipe_frag
+                            : program == TR_I_SEQ_ROW  ? tr_i_shader_seq_row_frag
+                            : mask                     ? tr_i_shader_seq_mask_frag
+                            : program == TR_I_SEQ_OVER ? tr_i_shader_seq_own_frag
+                                                       : tr_i_shader_seq_near_frag);
+}
+
 /* The whole text of one stage of a built-in program; key: of a variant. */
 static void tr_i_program_source(tr_i_source *source, int program, uint32_t key, tr_stage stage, int es,
                                 int reversed_z) {
@@ -3963,7 +4925,9 @@ static void tr_i_program_source(tr_i_source *source, int program, uint32_t key, 
     source->count = 0;
     source->used = 0;
     tr_i_add_preamble(source, es, reversed_z);
-    if (program >= TR_I_PROGRAM_OUTLINE)
+    if (program >= TR_I_PROGRAM_SEQUENCE)
+        tr_i_seq_source(source, stage, program - TR_I_PROGRAM_SEQUENCE);
+    else if (program >= TR_I_PROGRAM_OUTLINE)
         tr_i_outline_source(source, stage, program - TR_I_PROGRAM_OUTLINE);
     else if (program >= TR_I_PROGRAM_VARIANT)
         tr_i_variant_source(source, stage, key);
@@ -4018,6 +4982,15 @@ static tr_i_u tr_i_link(tr_context *tr, int index) {
     return program;
 }
 
+/* Samplers of sequences; see tr_i_bind_step. */
+static const struct {
+    const char *name;
+    int unit;
+} tr_i_seq_samplers[] = {{"tr_seed", TR_I_SCENE_DEPTH},         {"tr_rows", TR_I_OPAQUE_COLOR},
+                         {"tr_nearest_seed", TR_I_MARK},        {"tr_block_depth", TR_I_MARK},
+                         {"tr_mask_alphas", TR_I_OPAQUE_COLOR}, {"tr_remaining", TR_I_CROSSINGS},
+                         {"tr_own_depth", TR_I_SCENE_DEPTH},    {"tr_own_color", TR_I_OPAQUE_COLOR}};
+
 /* Points a program's samplers and block at our units and binding. The program is left in use. */
 static void tr_i_wire_program(tr_context *tr, tr_i_u program) {
     static const char *const samplers[TR_TEXTURE_UNITS] = {"tr_front_depth", "tr_odd_depth",    "tr_front_owner",
@@ -4039,6 +5012,13 @@ static void tr_i_wire_program(tr_context *tr, tr_i_u program) {
         if (location >= 0)
             tr->gl.Uniform1i(location, tr->desc.first_texture_unit + units[i]);
     }
+    for (i = 0; i < (int)(sizeof tr_i_seq_samplers / sizeof tr_i_seq_samplers[0]); ++i) {
+        int32_t location = tr->gl.GetUniformLocation(program, tr_i_seq_samplers[i].name);
+        if (location >= 0)
+            tr->gl.Uniform1i(location, tr->desc.first_texture_unit + tr_i_seq_samplers[i].unit);
+    }
+    if (block == TR_I_GL_INVALID_INDEX)
+        block = tr->gl.GetUniformBlockIndex(program, "tr_sequence");
     if (block != TR_I_GL_INVALID_INDEX)
         tr->gl.UniformBlockBinding(program, block, (tr_i_u)tr->desc.uniform_binding);
 }
@@ -4389,12 +5369,203 @@ static tr_result tr_i_fit_units(tr_context *tr, size_t count) {
     return TR_OK;
 }
 
+/* ---- dynamic transparency: textures of sequences ---- */
+
+typedef struct tr_i_format {
+    tr_i_u internal, format, type;
+    uint32_t bytes;
+} tr_i_format;
+
+static tr_i_format tr_i_seq_format(const tr_i_sequence *seq, int texture) {
+    static const tr_i_format depth = {TR_I_GL_DEPTH_COMPONENT32F, TR_I_GL_DEPTH_COMPONENT, TR_I_GL_FLOAT, 4};
+    static const tr_i_format row = {TR_I_GL_R16UI, TR_I_GL_RED_INTEGER, TR_I_GL_UNSIGNED_SHORT, 2};
+    static const tr_i_format nearest = {TR_I_GL_RG16UI, TR_I_GL_RG_INTEGER, TR_I_GL_UNSIGNED_SHORT, 4};
+    static const tr_i_format pairs[2] = {{TR_I_GL_RG16F, TR_I_GL_RG, TR_I_GL_FLOAT, 4},
+                                         {TR_I_GL_RG8, TR_I_GL_RG, TR_I_GL_UNSIGNED_BYTE, 2}};
+    static const tr_i_format colors[2] = {{TR_I_GL_RGBA16F, TR_I_GL_RGBA, TR_I_GL_FLOAT, 8},
+                                          {TR_I_GL_RGBA8, TR_I_GL_RGBA, TR_I_GL_UNSIGNED_BYTE, 4}};
+    switch (texture) {
+    case TR_I_SEQ_ROWS:
+        return row;
+    case TR_I_SEQ_NEAREST:
+        return nearest;
+    case TR_I_SEQ_ALPHAS:
+        return pairs[seq->eight_bits];
+    case TR_I_SEQ_REMAINING:
+        return pairs[1];
+    case TR_I_SEQ_OWN_COLOR:
+        return colors[seq->eight_bits];
+    default:
+        return depth;
+    }
+}
+
+static void tr_i_seq_size(const tr_i_sequence *seq, int texture, int size[2]) {
+    int cell = seq->texture_divisor;
+    size[0] = texture == TR_I_SEQ_ROWS || texture == TR_I_SEQ_NEAREST ? (seq->width + cell - 1) / cell : seq->width;
+    size[1] = texture == TR_I_SEQ_NEAREST ? (seq->height + cell - 1) / cell : seq->height;
+}
+
+/* Bits of the textures that the steps of this frame need. */
+static uint32_t tr_i_seq_needs(const tr_i_sequence *seq) {
+    const tr_i_step *steps = (const tr_i_step *)seq->steps.items;
+    uint32_t needs =
+        1u << TR_I_SEQ_SEED | 1u << TR_I_SEQ_ROWS | 1u << TR_I_SEQ_NEAREST | 1u << TR_I_SEQ_ALPHAS;
+    if (seq->steps.count > 1 && steps[1].kind == (uint8_t)TR_PASS_BLOCK)
+        needs |= 1u << TR_I_SEQ_BLOCK;
+    if (seq->counted)
+        needs |= 1u << TR_I_SEQ_OWN_COLOR | 1u << TR_I_SEQ_OWN_DEPTH | 1u << TR_I_SEQ_REMAINING;
+    return needs;
+}
+
+static uint64_t tr_i_seq_bytes(const tr_i_sequence *seq, uint32_t textures) {
+    uint64_t bytes = 0;
+    int i, size[2];
+    for (i = 0; i < TR_I_SEQ_TEXTURE_COUNT; ++i) {
+        tr_i_seq_size(seq, i, size);
+        if (textures >> i & 1u)
+            bytes += (uint64_t)size[0] * (uint64_t)size[1] * tr_i_seq_format(seq, i).bytes;
+    }
+    return bytes;
+}
+
+static uint32_t tr_i_seq_held(const tr_i_sequence *seq) {
+    uint32_t held = 0;
+    int i;
+    for (i = 0; i < TR_I_SEQ_TEXTURE_COUNT; ++i)
+        held |= (uint32_t)(seq->textures[i] != 0) << i;
+    return held;
+}
+
+static void tr_i_drop_seq_textures(tr_context *tr) {
+    tr_i_delete_framebuffers(tr, TR_I_SEQ_FBO_COUNT, tr->seq.fbos);
+    tr_i_delete_textures(tr, TR_I_SEQ_TEXTURE_COUNT, tr->seq.textures);
+    tr->seq.width = tr->seq.height = 0;
+}
+
+static void tr_i_drop_array(tr_context *tr, tr_i_array *array) {
+    if (array->items)
+        tr->desc.free_fn(array->items, tr->desc.alloc_user);
+    memset(array, 0, sizeof *array);
+}
+
+/* All but programs. */
+static void tr_i_drop_sequence(tr_context *tr) {
+    tr_i_sequence *seq = &tr->seq;
+    tr_i_array *arrays[9];
+    int i;
+    arrays[0] = &seq->ranks;
+    arrays[1] = &seq->by_group;
+    arrays[2] = &seq->painted;
+    arrays[3] = &seq->list;
+    arrays[4] = &seq->scene;
+    arrays[5] = &seq->masks;
+    arrays[6] = &seq->items;
+    arrays[7] = &seq->steps;
+    arrays[8] = &seq->blocks;
+    for (i = 0; i < 9; ++i)
+        tr_i_drop_array(tr, arrays[i]);
+    tr_i_drop_seq_textures(tr);
+    if (seq->buffer)
+        tr->gl.DeleteBuffers(1, &seq->buffer);
+    seq->buffer = 0;
+    seq->buffer_size = 0;
+}
+
+static void tr_i_make_seq_texture(tr_context *tr, int index) {
+    const tr_i_gl *gl = &tr->gl;
+    tr_i_format format = tr_i_seq_format(&tr->seq, index);
+    int size[2];
+    tr_i_seq_size(&tr->seq, index, size);
+    gl->ActiveTexture(TR_I_GL_TEXTURE0 + (tr_i_u)(tr->desc.first_texture_unit + TR_I_SCENE_DEPTH));
+    gl->GenTextures(1, &tr->seq.textures[index]);
+    gl->BindTexture(TR_I_GL_TEXTURE_2D, tr->seq.textures[index]);
+    gl->TexImage2D(TR_I_GL_TEXTURE_2D, 0, (int32_t)format.internal, size[0], size[1], 0, format.format, format.type, 0);
+    gl->TexParameteri(TR_I_GL_TEXTURE_2D, TR_I_GL_TEXTURE_MIN_FILTER, TR_I_GL_NEAREST);
+    gl->TexParameteri(TR_I_GL_TEXTURE_2D, TR_I_GL_TEXTURE_MAG_FILTER, TR_I_GL_NEAREST);
+    gl->TexParameteri(TR_I_GL_TEXTURE_2D, TR_I_GL_TEXTURE_WRAP_S, TR_I_GL_CLAMP_TO_EDGE);
+    gl->TexParameteri(TR_I_GL_TEXTURE_2D, TR_I_GL_TEXTURE_WRAP_T, TR_I_GL_CLAMP_TO_EDGE);
+}
+
+/* What is attached to a framebuffer: depth and colour, -1: none. */
+static void tr_i_seq_attachments(int fbo, int out[2]) {
+    static const int attached[TR_I_SEQ_FBO_COUNT][2] = {
+        {TR_I_SEQ_SEED, -1},   {-1, TR_I_SEQ_ROWS},   {-1, TR_I_SEQ_NEAREST},
+        {TR_I_SEQ_BLOCK, -1},  {-1, TR_I_SEQ_ALPHAS}, {TR_I_SEQ_OWN_DEPTH, TR_I_SEQ_OWN_COLOR},
+        {TR_I_SEQ_OWN_DEPTH, TR_I_SEQ_REMAINING}};
+    memcpy(out, attached[fbo], sizeof attached[fbo]);
+}
+
+static int tr_i_make_seq_fbo(tr_context *tr, int index) {
+    static const tr_i_u points[2] = {TR_I_GL_DEPTH_ATTACHMENT, TR_I_GL_COLOR_ATTACHMENT0};
+    const tr_i_gl *gl = &tr->gl;
+    tr_i_u buffer;
+    int attached[2], i;
+    tr_i_seq_attachments(index, attached);
+    gl->GenFramebuffers(1, &tr->seq.fbos[index]);
+    gl->BindFramebuffer(TR_I_GL_DRAW_FRAMEBUFFER, tr->seq.fbos[index]);
+    gl->BindFramebuffer(TR_I_GL_READ_FRAMEBUFFER, tr->seq.fbos[index]);
+    for (i = 0; i < 2; ++i)
+        if (attached[i] >= 0)
+            gl->FramebufferTexture2D(TR_I_GL_DRAW_FRAMEBUFFER, points[i], TR_I_GL_TEXTURE_2D,
+                                     tr->seq.textures[attached[i]], 0);
+    buffer = attached[1] >= 0 ? TR_I_GL_COLOR_ATTACHMENT0 : 0;
+    gl->DrawBuffers(1, &buffer);
+    gl->ReadBuffer(buffer);
+    return gl->CheckFramebufferStatus(TR_I_GL_DRAW_FRAMEBUFFER) == TR_I_GL_FRAMEBUFFER_COMPLETE;
+}
+
+/* Textures that are needed, and framebuffers of which all is there. */
+static int tr_i_try_seq_textures(tr_context *tr, uint32_t needs) {
+    int i, attached[2];
+    tr->gl.BindBuffer(TR_I_GL_PIXEL_UNPACK_BUFFER, 0);
+    for (i = 0; i < TR_I_SEQ_TEXTURE_COUNT; ++i)
+        if ((needs >> i & 1u) && !tr->seq.textures[i])
+            tr_i_make_seq_texture(tr, i);
+    for (i = 0; i < TR_I_SEQ_FBO_COUNT; ++i) {
+        tr_i_seq_attachments(i, attached);
+        if (tr->seq.fbos[i] || (attached[0] >= 0 && !tr->seq.textures[attached[0]]) ||
+            (attached[1] >= 0 && !tr->seq.textures[attached[1]]))
+            continue;
+        if (!tr_i_make_seq_fbo(tr, i))
+            return 0;
+    }
+    return 1;
+}
+
+static int tr_i_seq_misfits(const tr_context *tr) {
+    const tr_i_sequence *seq = &tr->seq;
+    return seq->width != tr->frame.width || seq->height != tr->frame.height || seq->texture_divisor != seq->divisor;
+}
+
+/* Contexts that cannot draw into textures of floats (ES 3.0 without an extension) say so by an incomplete framebuffer. */
+static tr_result tr_i_make_seq_textures(tr_context *tr) {
+    tr_i_sequence *seq = &tr->seq;
+    uint32_t needs = tr_i_seq_needs(seq);
+    int tries;
+    for (tries = 0; tries < 2; ++tries) {
+        if (tr_i_seq_misfits(tr))
+            tr_i_drop_seq_textures(tr);
+        seq->width = tr->frame.width;
+        seq->height = tr->frame.height;
+        seq->texture_divisor = seq->divisor;
+        if (tr_i_try_seq_textures(tr, needs))
+            return TR_OK;
+        tr_i_drop_seq_textures(tr);
+        if (seq->eight_bits)
+            break;
+        seq->eight_bits = 1;
+    }
+    return tr_i_fail(&tr->desc, TR_TARGET_INCOMPLETE, "one of the header's own");
+}
+
 /* Everything but programs. */
 static void tr_i_drop_see(tr_context *tr) {
     if (tr->see.places)
         tr->desc.free_fn(tr->see.places, tr->desc.alloc_user);
     tr->see.places = 0;
     tr->see.capacity = 0;
+    tr_i_drop_sequence(tr);
 }
 
 TR_I_API tr_result tr_release(tr_context *tr) {
@@ -4438,7 +5609,7 @@ TR_I_API tr_info tr_get_info(const tr_context *tr) {
     info.version = tr->version;
     info.plan = &tr->plan;
     info.see_plan = &tr->see.plan;
-    info.bytes = tr_i_see_bytes(tr);
+    info.bytes = tr_i_see_bytes(tr) + tr_i_seq_bytes(&tr->seq, tr_i_seq_held(&tr->seq));
     if (tr->textures[TR_I_CROSSINGS])
         info.bytes += (uint64_t)tr->slices[TR_I_CROSSINGS] * TR_I_CROSSING_ROW * 16u;
     for (i = 0; i < TR_I_TEXTURE_COUNT; ++i)
@@ -5718,6 +6889,449 @@ static void tr_i_draw_triangle(tr_context *tr, const tr_state *state) {
     tr->gl.BindVertexArray((tr_i_u)vertex_array);
 }
 
+/* ---- dynamic transparency: a frame of a sequence ---- */
+
+/* A copy of the uniform block for each run of masks. */
+static void tr_i_fill_seq_block(const tr_i_sequence *seq, const tr_frame *frame, const tr_dynamic *dynamic,
+                                const tr_i_law *law, tr_i_seq_block *block) {
+    tr_i_block shading;
+    size_t i;
+    memset(block, 0, sizeof *block);
+    tr_i_fill_block(frame, 0, 1, &shading);
+    memcpy(block->light, shading.light, sizeof block->light);
+    memcpy(block->cool, shading.cool, sizeof block->cool);
+    memcpy(block->warm, shading.warm, sizeof block->warm);
+    block->law[0] = law->target;
+    block->law[1] = law->start;
+    block->law[2] = law->width;
+    memcpy(block->background, dynamic->background, sizeof dynamic->background);
+    block->view[0] = frame->x;
+    block->view[1] = frame->y;
+    block->view[2] = frame->width;
+    block->view[3] = frame->height;
+    block->numbers[0] = seq->divisor;
+    block->numbers[1] = seq->reach;
+    block->numbers[2] = seq->layers;
+    block->numbers[3] = (int32_t)dynamic->light_count;
+    block->step[1] = seq->product;
+    block->step[2] = seq->published;
+    for (i = 0; i < dynamic->light_count; ++i) {
+        const tr_light *light = &dynamic->lights[i];
+        block->lights[i][0] = light->x;
+        block->lights[i][1] = light->y;
+        block->lights[i][2] = light->radius;
+        block->lights[i][3] = light->edge;
+    }
+}
+
+static void tr_i_fill_masks(const tr_i_sequence *seq, const tr_i_item *item, tr_i_seq_block *block) {
+    uint32_t i;
+    int k;
+    for (i = 0; i < item->count; ++i) {
+        const tr_i_mask *mask = (const tr_i_mask *)seq->masks.items + item->first + i;
+        for (k = 0; k < 4; ++k)
+            block->masks[i][k] = (float)mask->box[k];
+        block->masks[i][4] = mask->strength;
+        block->masks[i][5] = mask->active;
+        block->masks[i][6] = mask->importance;
+    }
+}
+
+static void tr_i_add_blocks(tr_context *tr, const tr_frame *frame, const tr_dynamic *dynamic) {
+    tr_i_sequence *seq = &tr->seq;
+    tr_i_seq_block block;
+    size_t i;
+    tr_i_fill_seq_block(seq, frame, dynamic, &tr->see.law, &block);
+    seq->blocks.count = 0;
+    for (i = 0; i < seq->items.count; ++i) {
+        const tr_i_item *item = (const tr_i_item *)seq->items.items + i;
+        unsigned char *copy = item->masks ? (unsigned char *)tr_i_push(tr, &seq->blocks, TR_I_SEQ_STRIDE) : 0;
+        if (!item->masks)
+            continue;
+        if (!copy) {
+            seq->no_memory = 1;
+            return;
+        }
+        tr_i_fill_masks(seq, item, &block);
+        memset(copy, 0, TR_I_SEQ_STRIDE);
+        memcpy(copy, &block, sizeof block);
+    }
+}
+
+static int tr_i_is_sequence(tr_see see) {
+    return see == TR_SEE_EXACT || see == TR_SEE_SEQUENCE || see == TR_SEE_PUBLISHED;
+}
+
+/* The program of a full-screen pass; -1: the host draws. */
+static int tr_i_seq_program(const tr_i_sequence *seq, const tr_i_step *step) {
+    int together = seq->counted && !seq->each;
+    switch ((tr_pass_kind)step->kind) {
+    case TR_PASS_WIPE:
+        return TR_I_PROGRAM_SEQUENCE + TR_I_SEQ_WIPE;
+    case TR_PASS_ROWS:
+        return TR_I_PROGRAM_SEQUENCE + TR_I_SEQ_ROW;
+    case TR_PASS_NEAREST:
+        return TR_I_PROGRAM_SEQUENCE + TR_I_SEQ_NEAR + seq->published;
+    case TR_PASS_MASKS:
+        return TR_I_PROGRAM_SEQUENCE + TR_I_SEQ_MASK + seq->published + 2 * together;
+    case TR_PASS_PAINT_OVER:
+        return TR_I_PROGRAM_SEQUENCE + TR_I_SEQ_OVER;
+    default:
+        return -1;
+    }
+}
+
+/* The program that a step is drawn with, by us or, in a built-in way, by the host. */
+static int tr_i_step_program(const tr_i_sequence *seq, const tr_i_step *step) {
+    int program = tr_i_seq_program(seq, step);
+    return program >= 0 ? program : (int)step->rule;
+}
+
+static int tr_i_seq_needs_work(const tr_context *tr) {
+    const tr_i_sequence *seq = &tr->seq;
+    uint32_t needs = tr_i_seq_needs(seq);
+    size_t i;
+    if (tr_i_seq_misfits(tr) || (needs & ~tr_i_seq_held(seq)) || !tr->vertex_array ||
+        seq->buffer_size < seq->blocks.count * TR_I_SEQ_STRIDE)
+        return 1;
+    for (i = 0; i < seq->steps.count; ++i)
+        if (((const tr_i_step *)seq->steps.items)[i].kind != (uint8_t)TR_PASS_SCENE &&
+            !tr->programs[tr_i_step_program(seq, (const tr_i_step *)seq->steps.items + i)].name)
+            return 1;
+    return 0;
+}
+
+static void tr_i_upload_blocks(tr_context *tr) {
+    tr_i_sequence *seq = &tr->seq;
+    size_t size = seq->blocks.count * TR_I_SEQ_STRIDE;
+    if (!seq->buffer)
+        tr->gl.GenBuffers(1, &seq->buffer);
+    tr->gl.BindBuffer(TR_I_GL_COPY_WRITE_BUFFER, seq->buffer);
+    if (seq->buffer_size < size) {
+        seq->buffer_size = size + size / 4 / TR_I_SEQ_STRIDE * TR_I_SEQ_STRIDE;
+        tr->gl.BufferData(TR_I_GL_COPY_WRITE_BUFFER, (ptrdiff_t)seq->buffer_size, 0, TR_I_GL_DYNAMIC_DRAW);
+    }
+    tr->gl.BufferSubData(TR_I_GL_COPY_WRITE_BUFFER, 0, (ptrdiff_t)size, seq->blocks.items);
+}
+
+static tr_result tr_i_seq_work(tr_context *tr) {
+    tr_i_sequence *seq = &tr->seq;
+    tr_result result = TR_OK;
+    size_t i;
+    if (tr_i_seq_needs_work(tr)) {
+        result = tr_i_make_seq_textures(tr);
+        for (i = 0; i < seq->steps.count && result == TR_OK; ++i)
+            if (((const tr_i_step *)seq->steps.items)[i].kind != (uint8_t)TR_PASS_SCENE)
+                result = tr_i_make_program(tr, tr_i_step_program(seq, (const tr_i_step *)seq->steps.items + i));
+        if (!tr->vertex_array)
+            tr->gl.GenVertexArrays(1, &tr->vertex_array);
+    }
+    if (result == TR_OK)
+        tr_i_upload_blocks(tr);
+    return result;
+}
+
+/* What this frame wishes, with the defaults filled in. */
+static void tr_i_take_wishes(tr_context *tr, const tr_dynamic *dynamic) {
+    tr_i_sequence *seq = &tr->seq;
+    const tr_i_law *law = &tr->see.law;
+    seq->published = dynamic->see == TR_SEE_PUBLISHED;
+    seq->product = seq->published || dynamic->combine == TR_MASK_PRODUCT;
+    seq->each = seq->published || dynamic->occluders == TR_OCCLUDERS_EACH;
+    seq->layers = dynamic->layers;
+    seq->counted = !seq->each || seq->layers > 0;
+    seq->divisor = law->divisor;
+    seq->reach = law->reach;
+    seq->grow = law->reach + 2 * law->divisor;
+}
+
+/* Puts state back as the policy has it; the host draws its scene between our passes. */
+static void tr_i_leave(tr_context *tr) {
+    if (tr->desc.state == TR_STATE_RESTORE) {
+        tr_i_restore(tr, &tr->saved);
+    } else if (tr->desc.state == TR_STATE_LEAVE_DEFAULTS) {
+        tr_i_save_defaults(&tr->saved);
+        tr_i_restore(tr, &tr->saved);
+    }
+}
+
+/* Adds to the line of a kind of pass in the plan. */
+static void tr_i_plan_step(tr_see_plan *plan, const tr_i_step *step) {
+    static const struct {
+        tr_pass_kind kind;
+        const char *why;
+    } whys[] = {{TR_PASS_SCENE, "what no mask makes transparent"},
+                {TR_PASS_BLOCK, "what closes masks, so that targets behind it open none"},
+                {TR_PASS_WIPE, "room for the targets of a run"},
+                {TR_PASS_SEEDS, "the targets of a run: they and their masks do not overlap"},
+                {TR_PASS_ROWS, "the nearest pixel of a target in each row"},
+                {TR_PASS_NEAREST, "of these the nearest"},
+                {TR_PASS_MASKS, "masks, over those of targets farther off"},
+                {TR_PASS_PAINT_DEPTH, "front-most surfaces of solid units"},
+                {TR_PASS_PAINT, "units that masks may make transparent, back to front"},
+                {TR_PASS_COUNT, "occluders are counted, to share a mask or for layer control"},
+                {TR_PASS_PAINT_OVER, "from a target of our own to the host's"}};
+    size_t i;
+    int at;
+    for (at = 0; at < plan->pass_count && plan->passes[at].kind != (tr_pass_kind)step->kind;)
+        ++at;
+    if (at == plan->pass_count) {
+        tr_see_pass *pass = tr_i_add_see_pass(plan, (tr_pass_kind)step->kind, (tr_rule)step->rule, 0, "");
+        for (i = 0; i < sizeof whys / sizeof whys[0]; ++i)
+            if (whys[i].kind == pass->kind)
+                pass->why = whys[i].why;
+    }
+    ++plan->passes[at].times;
+    if (tr_i_seq_program(0, step) < 0)
+        plan->passes[at].unit_count += step->count;
+}
+
+/* The plan of the cheaper rungs gives way. */
+static void tr_i_plan_sequence(tr_context *tr, const tr_dynamic *dynamic) {
+    const tr_i_sequence *seq = &tr->seq;
+    tr_see_plan *plan = &tr->see.plan;
+    size_t i;
+    plan->pass_count = 0;
+    plan->masks = seq->pending;
+    if (seq->blocks.count == 0) {
+        tr_i_plan_plain(&tr->see, plan->targets_in_view ? "nothing that yields is painted over a target"
+                                                        : "no target is in view");
+        return;
+    }
+    plan->see = dynamic->see;
+    plan->why = seq->eight_bits ? "something that yields is painted over a target; masks of 8 bits"
+                                : "something that yields is painted over a target; masks of floats";
+    plan->bytes = tr_i_seq_bytes(seq, tr_i_seq_needs(seq));
+    for (i = 0; i < seq->steps.count; ++i)
+        tr_i_plan_step(plan, (const tr_i_step *)seq->steps.items + i);
+}
+
+/* Lists and steps; no GL. */
+static tr_result tr_i_arrange_sequence(tr_context *tr, const tr_frame *frame, const tr_dynamic *dynamic) {
+    tr_i_sequence *seq = &tr->seq;
+    int size[2];
+    size[0] = frame->width;
+    size[1] = frame->height;
+    tr_i_take_wishes(tr, dynamic);
+    if (!tr_i_order_units(tr, seq, dynamic))
+        return tr_i_fail(&tr->desc, TR_OUT_OF_MEMORY, "dynamic.units");
+    tr_i_arrange_units(tr, dynamic, size);
+    tr_i_add_blocks(tr, frame, dynamic);
+    tr_i_add_steps(tr, dynamic);
+    return seq->no_memory ? tr_i_fail(&tr->desc, TR_OUT_OF_MEMORY, "dynamic.units") : TR_OK;
+}
+
+/* After tr_i_plan_see, which has placed the units. */
+static tr_result tr_i_begin_sequence(tr_context *tr, const tr_frame *frame, const tr_dynamic *dynamic) {
+    tr_i_sequence *seq = &tr->seq;
+    int multisampled = 0, none = tr->desc.state == TR_STATE_NONE;
+    tr_result result;
+    if (frame->width == 0 || frame->height == 0)
+        return TR_OK;
+    result = tr_i_arrange_sequence(tr, frame, dynamic);
+    if (result != TR_OK)
+        return result;
+    tr_i_plan_sequence(tr, dynamic);
+    if (tr->see.plan.see == TR_SEE_OFF)
+        return TR_OK;
+    tr_i_save(tr, &tr->saved);
+    if (!none)
+        result = tr_i_check_target(tr, &multisampled);
+    if (result == TR_OK)
+        result = tr_i_seq_work(tr);
+    seq->step = 0;
+    seq->dirty = !none;
+    if (none || result != TR_OK)
+        tr_i_restore(tr, &tr->saved);
+    tr->see.plan.bytes = tr_i_seq_bytes(seq, tr_i_seq_needs(seq)); /* floats may have turned out not to be had */
+    return result;
+}
+
+/* Textures that a pass reads, on the units of their kind. */
+static void tr_i_bind_step(const tr_i_sequence *seq, const tr_i_step *step, tr_state *state) {
+    const tr_i_u *textures = seq->textures;
+    int i;
+    for (i = 0; i < TR_TEXTURE_UNITS; ++i)
+        state->texture_targets[i] = tr_i_targets[i];
+    switch ((tr_pass_kind)step->kind) {
+    case TR_PASS_SEEDS:
+        state->textures[TR_I_MARK] = step->rule == (uint8_t)TR_RULE_SEE_SEED ? textures[TR_I_SEQ_BLOCK] : 0;
+        break;
+    case TR_PASS_ROWS:
+        state->textures[TR_I_SCENE_DEPTH] = textures[TR_I_SEQ_SEED];
+        break;
+    case TR_PASS_NEAREST:
+        state->textures[TR_I_SCENE_DEPTH] = textures[TR_I_SEQ_SEED];
+        state->textures[TR_I_OPAQUE_COLOR] = textures[TR_I_SEQ_ROWS];
+        break;
+    case TR_PASS_MASKS:
+        state->textures[TR_I_SCENE_DEPTH] = textures[TR_I_SEQ_SEED];
+        state->textures[TR_I_MARK] = textures[TR_I_SEQ_NEAREST];
+        state->textures[TR_I_CROSSINGS] = seq->counted ? textures[TR_I_SEQ_REMAINING] : 0;
+        break;
+    case TR_PASS_PAINT:
+        state->textures[TR_I_OPAQUE_COLOR] = textures[TR_I_SEQ_ALPHAS];
+        state->textures[TR_I_CROSSINGS] = seq->counted ? textures[TR_I_SEQ_REMAINING] : 0;
+        break;
+    case TR_PASS_PAINT_OVER:
+        state->textures[TR_I_SCENE_DEPTH] = textures[TR_I_SEQ_OWN_DEPTH];
+        state->textures[TR_I_OPAQUE_COLOR] = textures[TR_I_SEQ_OWN_COLOR];
+        break;
+    default:
+        break;
+    }
+}
+
+/* The framebuffer of a step; -1: the host's. */
+static int tr_i_step_fbo(const tr_i_step *step) {
+    switch ((tr_pass_kind)step->kind) {
+    case TR_PASS_BLOCK:
+        return TR_I_SEQ_FBO_BLOCK;
+    case TR_PASS_WIPE:
+    case TR_PASS_SEEDS:
+        return TR_I_SEQ_FBO_SEED;
+    case TR_PASS_ROWS:
+        return TR_I_SEQ_FBO_ROWS;
+    case TR_PASS_NEAREST:
+        return TR_I_SEQ_FBO_NEAREST;
+    case TR_PASS_MASKS:
+        return TR_I_SEQ_FBO_ALPHAS;
+    case TR_PASS_COUNT:
+        return TR_I_SEQ_FBO_COUNTS;
+    case TR_PASS_PAINT_DEPTH:
+        /* The first of each sweep clears the colour that is attached. */
+        return !step->own ? -1 : step->subtract ? TR_I_SEQ_FBO_OWN : TR_I_SEQ_FBO_COUNTS;
+    case TR_PASS_PAINT:
+        return step->own ? TR_I_SEQ_FBO_OWN : -1;
+    default:
+        return -1;
+    }
+}
+
+static void tr_i_place_step(const tr_context *tr, const tr_i_step *step, tr_state *state) {
+    const tr_i_sequence *seq = &tr->seq;
+    int fbo = tr_i_step_fbo(step), program = tr_i_seq_program(seq, step), size[2], attached[2];
+    state->framebuffer = fbo >= 0 ? seq->fbos[fbo] : tr->frame.framebuffer;
+    state->viewport[0] = fbo >= 0 ? 0 : tr->frame.x;
+    state->viewport[1] = fbo >= 0 ? 0 : tr->frame.y;
+    state->viewport[2] = tr->frame.width;
+    state->viewport[3] = tr->frame.height;
+    if (fbo >= 0) {
+        tr_i_seq_attachments(fbo, attached);
+        tr_i_seq_size(seq, attached[1] >= 0 ? attached[1] : attached[0], size);
+        state->viewport[2] = size[0];
+        state->viewport[3] = size[1];
+    }
+    state->program = tr->programs[tr_i_step_program(seq, step)].name;
+    if (program >= 0) {
+        state->vertex_array = tr->vertex_array;
+        state->vertex_count = step->kind == (uint8_t)TR_PASS_PAINT_OVER ? 3 : 6 * (int)step->count;
+    }
+    state->first_texture_unit = tr->desc.first_texture_unit;
+    tr_i_bind_step(seq, step, state);
+    state->uniform_buffer = seq->buffer;
+    state->uniform_binding = tr->desc.uniform_binding;
+    state->uniform_offset = (int)(step->block * TR_I_SEQ_STRIDE);
+    state->uniform_size = TR_I_SEQ_STRIDE;
+    state->srgb = fbo < 0 && (tr->frame.wishes.options & TR_WISH_SRGB);
+}
+
+static void tr_i_blend_step(const tr_i_sequence *seq, const tr_i_step *step, tr_state *state) {
+    state->blend = 1;
+    switch ((tr_pass_kind)step->kind) {
+    case TR_PASS_MASKS:
+        state->blend_equation = seq->product ? 0 : TR_I_GL_MIN;
+        state->blend_source = state->blend_source_alpha = seq->product ? TR_I_GL_ZERO : TR_I_GL_ONE;
+        state->blend_destination = state->blend_destination_alpha = seq->product ? TR_I_GL_SRC_COLOR : TR_I_GL_ONE;
+        break;
+    case TR_PASS_COUNT:
+        state->blend_equation = step->subtract ? TR_I_GL_FUNC_REVERSE_SUBTRACT : 0;
+        state->blend_source = state->blend_source_alpha = TR_I_GL_ONE;
+        state->blend_destination = state->blend_destination_alpha = TR_I_GL_ONE;
+        break;
+    case TR_PASS_PAINT: /* into our own: premultiplied, with alpha; the host's alpha is left alone */
+        state->blend_source = TR_I_GL_SRC_ALPHA;
+        state->blend_destination = TR_I_GL_ONE_MINUS_SRC_ALPHA;
+        state->blend_source_alpha = step->own ? TR_I_GL_ONE : TR_I_GL_ZERO;
+        state->blend_destination_alpha = step->own ? TR_I_GL_ONE_MINUS_SRC_ALPHA : TR_I_GL_ONE;
+        break;
+    case TR_PASS_PAINT_OVER:
+        state->blend_source = TR_I_GL_ONE;
+        state->blend_destination = TR_I_GL_ONE_MINUS_SRC_ALPHA;
+        state->blend_source_alpha = TR_I_GL_ZERO;
+        state->blend_destination_alpha = TR_I_GL_ONE;
+        break;
+    default:
+        state->blend = 0;
+        break;
+    }
+}
+
+static void tr_i_test_step(const tr_context *tr, const tr_i_step *step, tr_state *state) {
+    int reversed = tr->desc.reversed_z;
+    tr_i_u nearer = reversed ? TR_I_GL_GREATER : TR_I_GL_LESS;
+    tr_pass_kind kind = (tr_pass_kind)step->kind;
+    int colors = kind == TR_PASS_ROWS || kind == TR_PASS_NEAREST || kind == TR_PASS_MASKS;
+    int later = kind == TR_PASS_PAINT || kind == TR_PASS_COUNT;
+    state->blend_source = state->blend_source_alpha = TR_I_GL_ONE;
+    state->front_face = tr->desc.front_face_cw ? TR_I_GL_CW : TR_I_GL_CCW;
+    state->color_write = colors || later || kind == TR_PASS_PAINT_OVER;
+    state->depth_test = state->depth_write = !colors;
+    state->depth_func = nearer;
+    if (kind == TR_PASS_WIPE || kind == TR_PASS_PAINT_OVER)
+        state->depth_func = kind == TR_PASS_WIPE ? TR_I_GL_ALWAYS : reversed ? TR_I_GL_GEQUAL : TR_I_GL_LEQUAL;
+    if (later && !step->hollow) {
+        state->depth_func = TR_I_GL_EQUAL;
+        state->depth_write = 0;
+    }
+    if (kind == TR_PASS_COUNT && step->hollow && step->subtract)
+        state->depth_write = 0;
+    if (step->clear) {
+        state->clear_color = kind != TR_PASS_BLOCK;
+        state->clear_depth = !colors;
+        state->clear_depth_value = reversed ? 0.0f : 1.0f;
+        if (kind == TR_PASS_MASKS)
+            state->clear_color_value[0] = state->clear_color_value[1] = 1.0f;
+    }
+    tr_i_blend_step(&tr->seq, step, state);
+}
+
+static void tr_i_fill_step(tr_context *tr, const tr_i_step *step, tr_pass *pass) {
+    const tr_i_sequence *seq = &tr->seq;
+    const tr_i_array *list = step->kind == (uint8_t)TR_PASS_SCENE ? &seq->scene : &seq->list;
+    memset(pass, 0, sizeof *pass);
+    pass->kind = (tr_pass_kind)step->kind;
+    pass->rule = (tr_rule)step->rule;
+    pass->name = tr_pass_kind_name(pass->kind);
+    if (tr_i_seq_program(seq, step) < 0) {
+        pass->units = (const uint32_t *)list->items + step->first;
+        pass->unit_count = step->count;
+    }
+    if (pass->kind == TR_PASS_SCENE)
+        return;
+    tr_i_place_step(tr, step, &pass->state);
+    tr_i_test_step(tr, step, &pass->state);
+}
+
+static int tr_i_next_step(tr_context *tr, tr_pass *pass) {
+    tr_i_sequence *seq = &tr->seq;
+    while (seq->step < seq->steps.count) {
+        tr_i_fill_step(tr, (const tr_i_step *)seq->steps.items + seq->step++, pass);
+        if (tr->desc.state == TR_STATE_NONE)
+            return 1;
+        if (pass->kind == TR_PASS_SCENE) {
+            if (seq->dirty)
+                tr_i_leave(tr);
+            return 1;
+        }
+        tr_i_apply(tr, &pass->state);
+        if (pass->state.vertex_count == 0)
+            return 1;
+        tr_i_draw_triangle(tr, &pass->state);
+    }
+    return 0;
+}
+
 /* ---- dynamic transparency: the sequence ------------------------------------------------------------------------- */
 
 static tr_result tr_i_check_dynamic(const tr_context *tr, const tr_frame *frame, const tr_dynamic *dynamic) {
@@ -5758,6 +7372,11 @@ TR_I_API tr_result tr_begin_dynamic(tr_context *tr, const tr_frame *frame, const
         return result;
     tr_i_plan_see(&tr->see, dynamic, frame->width, frame->height);
     tr->frame = used;
+    tr->seq.active = tr_i_is_sequence(dynamic->see);
+    if (tr->seq.active)
+        result = tr_i_begin_sequence(tr, &used, dynamic);
+    if (result != TR_OK)
+        return result;
     tr->see.step = 0;
     tr->see.active = 1;
     tr->in_frame = 1;
@@ -5766,6 +7385,8 @@ TR_I_API tr_result tr_begin_dynamic(tr_context *tr, const tr_frame *frame, const
 
 static int tr_i_next_see_pass(tr_context *tr, tr_pass *pass) {
     const tr_see_pass *planned;
+    if (tr->seq.active && tr->see.plan.see != TR_SEE_OFF)
+        return tr_i_next_step(tr, pass);
     if (tr->see.step >= tr->see.plan.pass_count)
         return 0;
     planned = &tr->see.plan.passes[tr->see.step++];

@@ -10,6 +10,10 @@ in highp vec3 tr_v_normal;
 in highp vec4 tr_v_color;
 #endif
 
+#if TR_IS_SEE && TR_RULE != TR_RULE_SEE_BLOCK
+layout(location = 0) out highp vec4 tr_color;
+#endif
+
 void main()
 {
 #if TR_WANTS_COLOR
@@ -26,8 +30,15 @@ void main()
     if (tr_may_show())
         color.a *= tr_alpha();
 #endif
-    tr_surface(color, tr_object);
 #else
-    tr_surface(vec4(0.0), tr_object);
+    highp vec4 color = vec4(0.0);
+#endif
+#if TR_IS_SEE
+    tr_see_through(color, tr_object);
+#if TR_RULE != TR_RULE_SEE_BLOCK
+    tr_color = color;
+#endif
+#else
+    tr_surface(color, tr_object);
 #endif
 }

@@ -1,0 +1,69 @@
+// For: transparency.h
+// Fragment stage. What a unit's fragment does in the passes of TR_SEE_SEQUENCE, TR_SEE_PUBLISHED and TR_SEE_EXACT.
+//
+// A host's fragment shader calls tr_see_through(color, code) once, last in main, before it writes color to its output of
+// location 0. code: what tr_unit_code makes. Bits 0 to 15: id, 16 to 20: TR_UNIT_*, 24 to 31: importance in 255ths.
+#define TR_RULE_SEE_BLOCK 16 // of the cheaper rungs
+#define TR_RULE_SEE_DEPTH 22 // front-most surfaces: depth alone
+#define TR_RULE_SEE_SEED 23  // where a target is, open
+#define TR_RULE_SEE_BLEND 24 // colour, with the opacity that masks leave
+#define TR_RULE_SEE_BLEND_LAYERS 25 // the same under layer control
+#define TR_RULE_SEE_COUNT 26 // occluders a pixel
+
+#define TR_CODE_TARGET (1u << 16)
+#define TR_CODE_CLOSES (10u << 16) // impenetrable or backdrop
+#define TR_CODE_HOLLOW (4u << 16)
+
+// What an occluder keeps of its opacity whatever masks say. A target counts one less than it does as a target.
+highp float tr_code_keeps(highp uint code)
+{
+    if ((code & TR_CODE_CLOSES) != 0u)
+        return 1.0;
+    return (code & TR_CODE_TARGET) != 0u ? 0.0 : float(code >> 24) * (1.0 / 255.0);
+}
+
+#if TR_RULE == TR_RULE_SEE_SEED
+uniform highp sampler2D tr_block_depth; // of what closes masks
+#endif
+#if TR_RULE == TR_RULE_SEE_BLEND || TR_RULE == TR_RULE_SEE_BLEND_LAYERS
+uniform highp sampler2D tr_mask_alphas; // of seq_mask.frag
+#endif
+#if TR_RULE == TR_RULE_SEE_BLEND_LAYERS
+uniform highp sampler2D tr_remaining; // occluders still to be painted, in 255ths
+#endif
+#if TR_RULE == TR_RULE_SEE_BLEND || TR_RULE == TR_RULE_SEE_BLEND_LAYERS
+highp float tr_opacity_of(highp uint code)
+{
+    highp float keeps = tr_code_keeps(code);
+    ivec2 pixel = ivec2(gl_FragCoord.xy) - tr_seq_view.xy;
+    if (keeps >= 1.0)
+        return 1.0;
+    highp vec2 alphas = texelFetch(tr_mask_alphas, pixel, 0).rg;
+#if TR_RULE == TR_RULE_SEE_BLEND_LAYERS
+    // As many as are still to come lie nearer to the eye; of solids this one is among them. All of a hollow one's count as
+    // one.
+    highp vec2 nearer = texelFetch(tr_remaining, pixel, 0).rg * 255.0 + ((code & TR_CODE_HOLLOW) != 0u ? 0.5 : -0.5);
+    alphas = mix(alphas, vec2(1.0), greaterThan(nearer, vec2(float(tr_seq_numbers.z))));
+#endif
+    if ((code & TR_CODE_TARGET) != 0u && tr_seq_step.z == 0)
+        alphas.r = 1.0;
+    return mix(tr_seq_step.y != 0 ? alphas.r * alphas.g : min(alphas.r, alphas.g), 1.0, keeps);
+}
+#endif
+
+void tr_see_through(inout highp vec4 color, highp uint code)
+{
+#if TR_RULE == TR_RULE_SEE_SEED
+    highp float closed = texelFetch(tr_block_depth, ivec2(gl_FragCoord.xy), 0).r;
+    if (TR_NEARER(closed, gl_FragCoord.z))
+        discard;
+#elif TR_RULE == TR_RULE_SEE_BLEND || TR_RULE == TR_RULE_SEE_BLEND_LAYERS
+    color.a = tr_opacity_of(code);
+#elif TR_RULE == TR_RULE_SEE_COUNT
+    // Red: what a mask acts on beside its target, green: what it acts on where the target is.
+    if (tr_code_keeps(code) >= 1.0)
+        discard;
+    bool beside = (code & TR_CODE_TARGET) == 0u || tr_seq_step.z != 0;
+    color = vec4(beside ? 1.0 : 0.0, 1.0, 0.0, 0.0) * (1.0 / 255.0);
+#endif
+}
