@@ -242,7 +242,7 @@ typedef struct tr_desc {
     int reversed_z;         /* 1: near is 1, far is 0 */
     int front_face_cw;      /* 1: front faces are wound clockwise in window space */
     int zero_to_one;        /* 1: clip depth runs from 0 to 1 (glClipControl), as frame.projection has it */
-    int eight_bits;         /* 1: no colour textures of floats, even where they can be drawn into: less to move, and masks of
+    int eight_bits; /* 1: no colour textures of floats, even where they can be drawn into: less to move, and masks of
                                dynamic transparency are rounded to 255ths */
 } tr_desc;
 
@@ -415,8 +415,9 @@ typedef enum tr_rule {
     TR_RULE_LIMIT_MARKED_SHEET,
     TR_RULE_OPAQUE,
     TR_RULE_OPAQUE_ENTERING,
-    /* of shaders/see_rules.glsl: tr_see_through in place of tr_surface */
-    TR_RULE_SEE_PLAIN, /* nothing: the host's own program, as it is */
+    TR_RULE_COUNT, /* of those of tr_begin */
+    /* Of tr_begin_dynamic, shaders/see_rules.glsl: tr_see_through in place of tr_surface. */
+    TR_RULE_SEE_PLAIN = TR_RULE_COUNT, /* nothing: the host's own program, as it is */
     TR_RULE_SEE_BLOCK,
     TR_RULE_SEE_TARGET,
     TR_RULE_SEE_BEHIND,
@@ -429,7 +430,7 @@ typedef enum tr_rule {
     TR_RULE_SEE_BLEND,
     TR_RULE_SEE_BLEND_LAYERS,
     TR_RULE_SEE_COUNT,
-    TR_RULE_COUNT
+    TR_RULE_SEE_END
 } tr_rule;
 
 #define TR_MAX_PASSES 64
@@ -496,7 +497,7 @@ typedef struct tr_state {
     uint32_t cull_face;                                                                    /* 0: none */
     uint32_t front_face;
     uint32_t blend_equation; /* 0: add */
-    int scissor[4]; /* x, y, width, height, for clears too; width 0: no scissor test */
+    int scissor[4];          /* x, y, width, height, for clears too; width 0: no scissor test */
 } tr_state;
 
 typedef struct tr_pass {
@@ -1521,6 +1522,358 @@ static const char *const tr_i_shader_outline_frag[] = {
     "}\n"
     "#endif\n",
     0};
+static const char *const tr_i_shader_see_block_glsl[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// What is the same for all passes of a frame of dynamic transparency (std140, written by tr_begin_dynamic).\n"
+    "layout(std140) uniform tr_frame\n"
+    "{\n"
+    "    highp vec4 tr_light;          // xyz: toward the light, unit length, in the space of the normals\n"
+    "    highp vec4 tr_cool;           // rgb, and how much diffuse colour is mixed in\n"
+    "    highp vec4 tr_warm;\n"
+    "    highp vec4 tr_viewport;       // x, y, width, height of the target's viewport\n"
+    "    highp vec4 tr_see_law;        // opacity before a target, and beside it; width of the gradient; how many lights\n"
+    "    highp vec4 tr_see_background; // rgb: where nothing is drawn; a: 1 where each occluder counts on its own\n"
+    "    highp ivec4 tr_see_grid;      // pixels a texel of masks; a cell; frame index; pixels that masks reach\n"
+    "    highp vec4 tr_see_lights[8];  // x, y, radius, edge, pixels of the viewport\n"
+    "    highp uvec4 tr_see_tiles[160]; // four each: x0, y0, x1, y1 in cells, a byte each, x0 the lowest\n"
+    "};\n"
+    "\n"
+    "#ifdef TR_REVERSED_Z\n"
+    "#define TR_BEHIND(a, b) ((a) < (b))\n"
+    "#else\n"
+    "#define TR_BEHIND(a, b) ((a) > (b))\n"
+    "#endif\n",
+    0};
+static const char *const tr_i_shader_see_compose_frag[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// What shows through masks, over the scene: alpha of it is what the mask takes away. At the mask's depth, so that where\n"
+    "// the target has depth this is done behind what was drawn there, and nothing where the scene lies behind anyway.\n"
+    "uniform highp sampler2D tr_see_depth;\n"
+    "uniform highp sampler2D tr_see_mask;\n"
+    "uniform highp sampler2D tr_see_behind;\n"
+    "#if TR_HAS_YIELD\n"
+    "uniform highp sampler2D tr_see_yield; // importance of the front-most unit\n"
+    "#endif\n"
+    "layout(location = 0) out highp vec4 tr_color;\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    ivec2 pixel = ivec2(gl_FragCoord.xy) - ivec2(tr_viewport.xy);\n"
+    "    highp vec2 mask = texelFetch(tr_see_mask, pixel, 0).rg;\n"
+    "#if TR_HAS_YIELD\n"
+    "    mask.g = clamp(mask.g - texelFetch(tr_see_yield, pixel, 0).r, 0.0, 1.0);\n"
+    "#endif\n"
+    "    if (mask.r == 1.0 || mask.g == 0.0)\n"
+    "        discard;\n"
+    "    tr_color = vec4(texelFetch(tr_see_behind, pixel, 0).rgb, (1.0 - mask.r) * mask.g);\n"
+    "    gl_FragDepth = texelFetch(tr_see_depth, pixel, 0).r;\n"
+    "}\n",
+    0};
+static const char *const tr_i_shader_see_finish_frag[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// The mask at the target's resolution: red the opacity that it asks for (Assarsson 2006, algorithm 2), green the target's\n"
+    "// strength; and its depth. On the target as that was drawn, beside it from the mask's texels: their distances are\n"
+    "// interpolated, their depths never.\n"
+    "uniform highp sampler2D tr_see_depth; // of targets\n"
+    "uniform highp sampler2D tr_see_mark;\n"
+    "#if TR_HAS_LOW\n"
+    "uniform highp sampler2D tr_see_low; // distance, strength, active\n"
+    "uniform highp sampler2D tr_see_low_depth;\n"
+    "#endif\n"
+    "layout(location = 0) out highp vec4 tr_color;\n"
+    "\n"
+    "// Of the search lights at a pixel; full within the radius, linear over the edge, of several the strongest.\n"
+    "highp float tr_light_at(highp vec2 position)\n"
+    "{\n"
+    "    highp float most = 0.0;\n"
+    "    for (int i = 0; i < int(tr_see_law.w); ++i) {\n"
+    "        highp vec4 light = tr_see_lights[i];\n"
+    "        highp float outside = distance(position, light.xy) - light.z;\n"
+    "        most = max(most, outside <= 0.0 ? 1.0 : light.w > 0.0 ? clamp(1.0 - outside / light.w, 0.0, 1.0) : 0.0);\n"
+    "    }\n"
+    "    return most;\n"
+    "}\n"
+    "\n"
+    "#if TR_HAS_LOW\n"
+    "highp float tr_low_distance(ivec2 texel, ivec2 size)\n"
+    "{\n"
+    "    return texelFetch(tr_see_low, clamp(texel, ivec2(0), size - 1), 0).r;\n"
+    "}\n"
+    "\n"
+    "// To the nearest pixel of a target, interpolated between the four texels around.\n"
+    "highp float tr_distance_at(ivec2 pixel)\n"
+    "{\n"
+    "    int divisor = tr_see_grid.x;\n"
+    "    ivec2 size = (ivec2(tr_viewport.zw) + divisor - 1) / divisor;\n"
+    "    highp vec2 place = (vec2(pixel) + 0.5) / float(divisor) - 0.5;\n"
+    "    ivec2 low = ivec2(floor(place));\n"
+    "    highp vec2 part = place - vec2(low);\n"
+    "    highp float below = mix(tr_low_distance(low, size), tr_low_distance(low + ivec2(1, 0), size), part.x);\n"
+    "    highp float above = mix(tr_low_distance(low + ivec2(0, 1), size), tr_low_distance(low + 1, size), part.x);\n"
+    "    return mix(below, above, part.y) * float(tr_see_grid.w + 2 * divisor);\n"
+    "}\n"
+    "#endif\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    ivec2 pixel = ivec2(gl_FragCoord.xy);\n"
+    "    highp vec2 mark = texelFetch(tr_see_mark, pixel, 0).rg;\n"
+    "    highp float opacity = tr_see_law.x, depth;\n"
+    "    if (mark.r > 0.0) {\n"
+    "        depth = texelFetch(tr_see_depth, pixel, 0).r;\n"
+    "    } else {\n"
+    "#if TR_HAS_LOW\n"
+    "        ivec2 texel = pixel / tr_see_grid.x;\n"
+    "        highp vec3 low = texelFetch(tr_see_low, texel, 0).rgb;\n"
+    "        // The pixels beside the target are the gradient's first ring.\n"
+    "        opacity = mix(tr_see_law.y, 1.0, clamp((tr_distance_at(pixel) - 1.0) / tr_see_law.z, 0.0, 1.0));\n"
+    "        if (opacity == 1.0 || low.r == 1.0)\n"
+    "            discard;\n"
+    "        mark = low.gb;\n"
+    "        depth = texelFetch(tr_see_low_depth, texel, 0).r;\n"
+    "#else\n"
+    "        discard;\n"
+    "#endif\n"
+    "    }\n"
+    "    if (mark.g > 0.5)\n"
+    "        opacity = 1.0 - tr_light_at(vec2(pixel) + 0.5) * (1.0 - opacity);\n"
+    "    tr_color = vec4(opacity, mark.r, 0.0, 0.0);\n"
+    "    gl_FragDepth = depth;\n"
+    "}\n",
+    0};
+static const char *const tr_i_shader_see_prime_frag[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// Opens the depth buffer where a mask is, and nowhere else: the depth test then stops all else before it is shaded.\n"
+    "uniform highp sampler2D tr_see_mask;\n"
+    "layout(location = 0) out highp vec4 tr_color;\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    highp vec2 mask = texelFetch(tr_see_mask, ivec2(gl_FragCoord.xy), 0).rg;\n"
+    "    if (mask.r == 1.0 || mask.g == 0.0)\n"
+    "        discard;\n"
+    "    tr_color = vec4(tr_see_background.rgb, 1.0);\n"
+    "    gl_FragDepth = TR_CLEAR_DEPTH;\n"
+    "}\n",
+    0};
+static const char *const tr_i_shader_see_query_frag[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// For tr_query_hidden: a texel for 4 by 4 pixels, the id of the target at its middle in two bytes.\n"
+    "uniform highp sampler2D tr_see_mark;\n"
+    "layout(location = 0) out highp vec4 tr_color;\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    ivec2 size = ivec2(tr_viewport.zw);\n"
+    "    ivec2 pixel = min(ivec2(gl_FragCoord.xy * tr_viewport.zw / vec2((size + 3) >> 2)), size - 1);\n"
+    "    tr_color = vec4(texelFetch(tr_see_mark, pixel, 0).ba, 0.0, 0.0);\n"
+    "}\n",
+    0};
+static const char *const tr_i_shader_see_rules_glsl[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// Fragment stage. What a unit's fragment does in each pass of dynamic transparency: Assarsson 2006, section 3, as amended.\n"
+    "//\n"
+    "// A host's fragment shader calls tr_see_through(color, code) once, last in main, before it writes color to its output of\n"
+    "// location 0. code: what tr_unit_code makes. Bits 0 to 15: id, from 16 flags, from 24 importance in 255ths.\n"
+    "#define TR_RULE_SEE_PLAIN 15  // nothing\n"
+    "#define TR_RULE_SEE_BLOCK 16  // depth of what closes masks\n"
+    "#define TR_RULE_SEE_TARGET 17 // depth and mark of the nearest target\n"
+    "#define TR_RULE_SEE_BEHIND 18 // what shows through masks\n"
+    "#define TR_RULE_SEE_YIELD 19  // importance of the front-most unit\n"
+    "#define TR_RULE_SEE_DITHER 20 // the whole scene, with holes\n"
+    "#define TR_RULE_SEE_HIDES 21  // what lies before a target\n"
+    "\n"
+    "#if TR_RULE == TR_RULE_SEE_PLAIN\n"
+    "#define tr_see_through(color, code)\n"
+    "#else\n"
+    "\n"
+    "#if TR_RULE >= TR_RULE_SEE_BEHIND && TR_RULE != TR_RULE_SEE_YIELD\n"
+    "uniform highp sampler2D tr_see_depth; // of the mask: what lies before it yields\n"
+    "#endif\n"
+    "#if TR_RULE == TR_RULE_SEE_BEHIND || TR_RULE == TR_RULE_SEE_DITHER\n"
+    "uniform highp sampler2D tr_see_mask; // opacity that it asks for, the target's strength\n"
+    "#endif\n"
+    "\n"
+    "bool tr_see_is(highp uint code, highp uint flags)\n"
+    "{\n"
+    "    return ((code >> 16) & flags) != 0u;\n"
+    "}\n"
+    "\n"
+    "// Targets, and what is never made transparent.\n"
+    "bool tr_see_keeps(highp uint code)\n"
+    "{\n"
+    "    return tr_see_is(code, 1u | 2u | 8u);\n"
+    "}\n"
+    "\n"
+    "highp float tr_see_importance(highp uint code)\n"
+    "{\n"
+    "    return float(code >> 24) * (1.0 / 255.0);\n"
+    "}\n"
+    "\n"
+    "#if TR_RULE == TR_RULE_SEE_DITHER\n"
+    "highp uint tr_see_hash(highp uint x)\n"
+    "{\n"
+    "    x = (x ^ (x >> 16)) * 0x7feb352du;\n"
+    "    x = (x ^ (x >> 15)) * 0x846ca68bu;\n"
+    "    return x ^ (x >> 16);\n"
+    "}\n"
+    "\n"
+    "// Fragments stay whose opacity is above it. Together: one threshold a pixel, interleaved gradient noise moved on by the\n"
+    "// golden ratio from frame to frame, so that any few frames in a row average well. Each on its own: one a pixel and unit.\n"
+    "highp float tr_see_threshold(ivec2 pixel, highp uint code)\n"
+    "{\n"
+    "    highp uint frame = uint(tr_see_grid.z);\n"
+    "    if (tr_see_background.a > 0.5) {\n"
+    "        highp uint bits = tr_see_hash(uint(pixel.x) + tr_see_hash(uint(pixel.y) + tr_see_hash((code & 0xffffu) + tr_see_hash(frame))));\n"
+    "        return float(bits >> 8) * (1.0 / 16777216.0);\n"
+    "    }\n"
+    "    highp float noise = fract(52.9829189 * fract(dot(vec2(pixel), vec2(0.06711056, 0.00583715))));\n"
+    "    // frame * (sqrt(5) - 1) / 2 modulo 1, in integers: it stays exact however long a game runs.\n"
+    "    return fract(noise + float((frame * 0x9e3779b9u) >> 8) * (1.0 / 16777216.0));\n"
+    "}\n"
+    "#endif\n"
+    "\n"
+    "void tr_see_through(inout highp vec4 color, highp uint code)\n"
+    "{\n"
+    "#if TR_RULE == TR_RULE_SEE_BLOCK\n"
+    "    if (!tr_see_is(code, 2u | 8u))\n"
+    "        discard;\n"
+    "#elif TR_RULE == TR_RULE_SEE_TARGET\n"
+    "    if (!tr_see_is(code, 1u) || (code >> 24) == 0u)\n"
+    "        discard;\n"
+    "    color = vec4(tr_see_importance(code), tr_see_is(code, 16u) ? 1.0 : 0.0, float(code & 255u) * (1.0 / 255.0),\n"
+    "                 float((code >> 8) & 255u) * (1.0 / 255.0));\n"
+    "#elif TR_RULE == TR_RULE_SEE_BEHIND\n"
+    "    if (tr_see_keeps(code))\n"
+    "        return;\n"
+    "    ivec2 pixel = ivec2(gl_FragCoord.xy);\n"
+    "    if (!TR_BEHIND(texelFetch(tr_see_depth, pixel, 0).r, gl_FragCoord.z))\n"
+    "        return;\n"
+    "    if (code < 0x1000000u || texelFetch(tr_see_mask, pixel, 0).g > tr_see_importance(code))\n"
+    "        discard;\n"
+    "#elif TR_RULE == TR_RULE_SEE_YIELD\n"
+    "    color = vec4(tr_see_keeps(code) ? 1.0 : tr_see_importance(code));\n"
+    "#elif TR_RULE == TR_RULE_SEE_DITHER\n"
+    "    if (tr_see_keeps(code))\n"
+    "        return;\n"
+    "    ivec2 pixel = ivec2(gl_FragCoord.xy) - ivec2(tr_viewport.xy);\n"
+    "    highp vec2 mask = texelFetch(tr_see_mask, pixel, 0).rg;\n"
+    "    highp float yielding = clamp(mask.g - tr_see_importance(code), 0.0, 1.0), alpha = 1.0 - (1.0 - mask.r) * yielding;\n"
+    "    if (alpha < 1.0 && TR_BEHIND(texelFetch(tr_see_depth, pixel, 0).r, gl_FragCoord.z) &&\n"
+    "        tr_see_threshold(pixel, code) >= alpha)\n"
+    "        discard;\n"
+    "#elif TR_RULE == TR_RULE_SEE_HIDES\n",
+    "#line 94\n"
+    "    // A texel's fragment stands at its middle: the pixel that it is compared with is there.\n"
+    "    ivec2 size = ivec2(tr_viewport.zw);\n"
+    "    ivec2 pixel = min(ivec2(gl_FragCoord.xy * tr_viewport.zw / vec2((size + 3) >> 2)), size - 1);\n"
+    "    if (tr_see_keeps(code) || !TR_BEHIND(texelFetch(tr_see_depth, pixel, 0).r, gl_FragCoord.z))\n"
+    "        discard;\n"
+    "    color = vec4(0.0, 0.0, 1.0, 0.0);\n"
+    "#endif\n"
+    "}\n"
+    "#endif\n",
+    0};
+static const char *const tr_i_shader_see_spread_frag[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// How far the nearest pixel of a target is: exact, by rows and then across them.\n"
+    "//\n"
+    "// TR_SPREAD 0: in its row, for each texel of masks, as the pixels from the texel's first one to it, plus 128, in 255ths; 0:\n"
+    "// none. TR_SPREAD 1: of the rows' the nearest, of equally near ones that nearest to the eye. A texel stands for the middle\n"
+    "// of its pixels; twice the positions are integers. Steps go outward from there: left and right, up and down, are one step.\n"
+    "uniform highp sampler2D tr_see_depth; // of targets\n"
+    "uniform highp sampler2D tr_see_mark;  // of targets: strength, 0 where there is none; active\n"
+    "#if TR_SPREAD == 1\n"
+    "uniform highp sampler2D tr_see_rows;\n"
+    "#endif\n"
+    "layout(location = 0) out highp vec4 tr_color;\n"
+    "\n"
+    "#if TR_SPREAD == 0\n"
+    "bool tr_is_target(ivec2 pixel)\n"
+    "{\n"
+    "    return pixel.x >= 0 && pixel.x < int(tr_viewport.z) && texelFetch(tr_see_mark, pixel, 0).r > 0.0;\n"
+    "}\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    int divisor = tr_see_grid.x, steps = tr_see_grid.w + 2 * divisor, first = int(gl_FragCoord.x) * divisor, found = 0;\n"
+    "    ivec2 left = ivec2(first + (divisor - 1) / 2, int(gl_FragCoord.y)), right = ivec2(first + divisor / 2, left.y);\n"
+    "    for (int i = 0; i <= steps; ++i) {\n"
+    "        bool at_left = tr_is_target(left), at_right = tr_is_target(right);\n"
+    "        if (at_left && at_right)\n"
+    "            at_left = TR_BEHIND(texelFetch(tr_see_depth, right, 0).r, texelFetch(tr_see_depth, left, 0).r);\n"
+    "        if (at_left || at_right) {\n"
+    "            found = (at_left ? left.x : right.x) - first + 128;\n"
+    "            break;\n"
+    "        }\n"
+    "        --left.x;\n"
+    "        ++right.x;\n"
+    "    }\n"
+    "    tr_color = vec4(float(found) * (1.0 / 255.0));\n"
+    "}\n"
+    "#else\n"
+    "void main()\n"
+    "{\n"
+    "    ivec2 texel = ivec2(gl_FragCoord.xy), first = texel * tr_see_grid.x, nearest = ivec2(-1);\n"
+    "    int divisor = tr_see_grid.x, steps = tr_see_grid.w + 2 * divisor, none = 4 * steps * steps, least = none;\n"
+    "    for (int i = 0; i <= steps && 4 * i * i <= least; ++i) {\n"
+    "        for (int side = 0; side < 2; ++side) {\n"
+    "            int y = side == 0 ? first.y + (divisor - 1) / 2 - i : first.y + divisor / 2 + i;\n"
+    "            if (y < 0 || y >= int(tr_viewport.w))\n"
+    "                continue;\n"
+    "            int found = int(texelFetch(tr_see_rows, ivec2(texel.x, y), 0).r * 255.0 + 0.5) - 128;\n"
+    "            if (found == -128)\n"
+    "                continue;\n"
+    "            ivec2 pixel = ivec2(first.x + found, y), offset = 2 * (pixel - first) - divisor + 1;\n"
+    "            int square = offset.x * offset.x + offset.y * offset.y;\n"
+    "            if (square < least ||\n"
+    "                (square == least && nearest.x >= 0 &&\n"
+    "                 TR_BEHIND(texelFetch(tr_see_depth, nearest, 0).r, texelFetch(tr_see_depth, pixel, 0).r))) {\n"
+    "                least = square;\n"
+    "                nearest = pixel;\n"
+    "            }\n"
+    "        }\n"
+    "    }\n"
+    "    tr_color = vec4(1.0, 0.0, 0.0, 0.0);\n"
+    "    gl_FragDepth = TR_CLEAR_DEPTH;\n"
+    "    if (nearest.x < 0)\n"
+    "        return;\n"
+    "    tr_color = vec4(0.5 * sqrt(float(least)) / float(steps), texelFetch(tr_see_mark, nearest, 0).rg, 0.0);\n"
+    "    gl_FragDepth = texelFetch(tr_see_depth, nearest, 0).r;\n"
+    "}\n"
+    "#endif\n",
+    0};
+static const char *const tr_i_shader_see_tile_vert[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// Six vertices a tile: passes of dynamic transparency cover the cells that have masks, and no more.\n"
+    "//\n"
+    "// TR_COARSE_X, TR_COARSE_Y: 1 where the texture has a texel for tr_see_grid.x pixels.\n"
+    "void main()\n"
+    "{\n"
+    "    int tile = gl_VertexID / 6, corner = gl_VertexID - 6 * tile, divisor = tr_see_grid.x;\n"
+    "    highp uvec4 four = tr_see_tiles[tile >> 2];\n"
+    "    int which = tile & 3;\n"
+    "    highp uint box = which == 0 ? four.x : which == 1 ? four.y : which == 2 ? four.z : four.w;\n"
+    "    bool right = corner == 1 || corner == 2 || corner == 4, high = corner == 2 || corner == 4 || corner == 5;\n"
+    "    highp uint x = (box >> (right ? 16 : 0)) & 255u, y = (box >> (high ? 24 : 8)) & 255u;\n"
+    "    ivec2 size = ivec2(tr_viewport.zw);\n"
+    "#if TR_COARSE_X\n"
+    "    size.x = (size.x + divisor - 1) / divisor * divisor;\n"
+    "#endif\n"
+    "#if TR_COARSE_Y\n"
+    "    size.y = (size.y + divisor - 1) / divisor * divisor;\n"
+    "#endif\n"
+    "    gl_Position = vec4(vec2(ivec2(x, y) * tr_see_grid.y) / vec2(size) * 2.0 - 1.0, 0.0, 1.0);\n"
+    "}\n",
+    0};
 static const char *const tr_i_shader_seq_block_glsl[] = {
     "#line 1\n"
     "// For: transparency.h\n"
@@ -1530,7 +1883,7 @@ static const char *const tr_i_shader_seq_block_glsl[] = {
     "    highp vec4 box; // x0, y0, x1, y1 in pixels of the viewport, x1 and y1 outside; the mask lies well within\n"
     "    highp vec4 law; // x: strength, 1 less what has faded, y: 1: opens in lights only, z: importance\n"
     "};\n"
-    "layout(std140) uniform tr_sequence\n"
+    "layout(std140) uniform tr_frame\n"
     "{\n"
     "    highp vec4 tr_light; // of built-in shading, as in frame_block.glsl\n"
     "    highp vec4 tr_cool;\n"
@@ -2266,7 +2619,6 @@ static const char *const tr_i_shader_take_opaque_frag[] = {
 #define TR_I_GL_NEAREST 0x2600
 #define TR_I_GL_CLAMP_TO_EDGE 0x812F
 #define TR_I_GL_ONE 1u
-#define TR_I_GL_ONE_MINUS_SRC_ALPHA 0x0303u
 #define TR_I_GL_PIXEL_UNPACK_BUFFER 0x88ECu
 #define TR_I_GL_PIXEL_UNPACK_BUFFER_BINDING 0x88EFu
 #define TR_I_GL_POLYGON_MODE 0x0B40u
@@ -2286,8 +2638,6 @@ static const char *const tr_i_shader_take_opaque_frag[] = {
 #define TR_I_GL_R32UI 0x8236u
 #define TR_I_GL_RED_INTEGER 0x8D94u
 #define TR_I_GL_RG16UI 0x823Au
-#define TR_I_GL_RG8 0x822Bu
-#define TR_I_GL_RG 0x8227u
 #define TR_I_GL_RG16F 0x822Fu
 #define TR_I_GL_RG_INTEGER 0x8228u
 #define TR_I_GL_UNSIGNED_SHORT 0x1403u
@@ -2297,9 +2647,14 @@ static const char *const tr_i_shader_take_opaque_frag[] = {
 #define TR_I_GL_SAMPLE_ALPHA_TO_COVERAGE 0x809Eu
 #define TR_I_GL_SAMPLE_COVERAGE 0x80A0u
 #define TR_I_GL_SAMPLE_MASK 0x8E51u
+#define TR_I_GL_SCISSOR_BOX 0x0C10u
 #define TR_I_GL_SCISSOR_TEST 0x0C11u
 #define TR_I_GL_SRC_ALPHA 0x0302u
 #define TR_I_GL_SRC_COLOR 0x0300u
+#define TR_I_GL_ONE_MINUS_SRC_ALPHA 0x0303u
+#define TR_I_GL_RG 0x8227u
+#define TR_I_GL_RG8 0x822Bu
+#define TR_I_GL_SRGB8_ALPHA8 0x8C43u
 #define TR_I_GL_STENCIL_TEST 0x0B90u
 #define TR_I_GL_TEXTURE0 0x84C0u
 #define TR_I_GL_TEXTURE_2D 0x0DE1u
@@ -2393,6 +2748,7 @@ typedef const char *const *tr_i_strings;
     X(void, LinkProgram, (tr_i_u))                                                                                     \
     X(void, PixelStorei, (tr_i_u, int32_t))                                                                            \
     X(void, ReadBuffer, (tr_i_u))                                                                                      \
+    X(void, Scissor, (int32_t, int32_t, int32_t, int32_t))                                                             \
     X(void, ShaderSource, (tr_i_u, int32_t, const char *const *, const int32_t *))                                     \
     X(void, TexImage2D, (tr_i_u, int32_t, int32_t, int32_t, int32_t, int32_t, tr_i_u, tr_i_u, const void *))           \
     X(void, TexImage3D, (tr_i_u, int32_t, int32_t, int32_t, int32_t, int32_t, int32_t, tr_i_u, tr_i_u, const void *))  \
@@ -2436,6 +2792,7 @@ typedef const char *const *tr_i_strings;
     X(void, DepthRangeIndexed, (tr_i_u, double, double))                                                               \
     X(void, GetDoublei_v, (tr_i_u, tr_i_u, double *))                                                                  \
     X(void, GetFloati_v, (tr_i_u, tr_i_u, float *))                                                                    \
+    X(void, ScissorIndexed, (tr_i_u, int32_t, int32_t, int32_t, int32_t))                                              \
     X(void, ViewportIndexedf, (tr_i_u, float, float, float, float))
 
 #define TR_I_GL_ES(X) X(void, DepthRangef, (float, float))
@@ -2494,7 +2851,7 @@ enum {
 enum {
     TR_I_SEQ_WIPE,
     TR_I_SEQ_ROW,
-    TR_I_SEQ_NEAR, /* round; in rings */
+    TR_I_SEQ_NEAR,                     /* round; in rings */
     TR_I_SEQ_MASK = TR_I_SEQ_NEAR + 2, /* + 1: in rings, + 2: shared by the occluders */
     TR_I_SEQ_OVER = TR_I_SEQ_MASK + 4,
     TR_I_SEQ_PROGRAM_COUNT
@@ -2504,12 +2861,21 @@ enum {
    a key; see tr_i_key_of. More of these than a plan can need. Then one a rule for each further rung of alpha. */
 #define TR_I_VARIANT_COUNT 24
 enum {
-    TR_I_PROGRAM_COPY_DEPTH = TR_RULE_COUNT,
+    TR_I_PROGRAM_COPY_DEPTH = TR_RULE_SEE_END,
     TR_I_PROGRAM_VARIANT,
     TR_I_PROGRAM_ALPHA = TR_I_PROGRAM_VARIANT + TR_I_VARIANT_COUNT,
     TR_I_PROGRAM_OUTLINE =
         TR_I_PROGRAM_ALPHA + ((int)TR_ALPHA_COUNT - 1) * (int)TR_RULE_COUNT, /* found; jumps; with ids */
-    TR_I_PROGRAM_SEQUENCE = TR_I_PROGRAM_OUTLINE + 4, /* see TR_I_SEQ_WIPE */
+    TR_I_PROGRAM_SEE = TR_I_PROGRAM_OUTLINE + 4, /* full-screen ones of dynamic transparency: tr_i_see_source */
+    TR_I_PROGRAM_SPREAD_X = TR_I_PROGRAM_SEE,
+    TR_I_PROGRAM_SPREAD_Y,
+    TR_I_PROGRAM_FINISH,
+    TR_I_PROGRAM_FINISH_BARE, /* no gradient */
+    TR_I_PROGRAM_PRIME,
+    TR_I_PROGRAM_COMPOSE_MASK,
+    TR_I_PROGRAM_COMPOSE_YIELD,
+    TR_I_PROGRAM_QUERY,
+    TR_I_PROGRAM_SEQUENCE, /* those from TR_I_SEQ_WIPE on */
     TR_I_PROGRAM_COUNT = TR_I_PROGRAM_SEQUENCE + TR_I_SEQ_PROGRAM_COUNT
 };
 
@@ -2539,6 +2905,7 @@ typedef struct tr_i_snapshot {
     int32_t program, vertex_array, draw_framebuffer, read_framebuffer;
     unsigned char caps[TR_I_CAP_COUNT], clip_distances[TR_I_MAX_CLIP_DISTANCES];
     unsigned char scissors[TR_I_MAX_VIEWPORTS];
+    int32_t scissor[4]; /* of dynamic transparency, which alone sets one */
     unsigned char depth_mask, color_masks[TR_I_MAX_DRAW_BUFFERS][4], blends[2];
     int32_t depth_func, cull_mode, front_face, polygon_mode[2];
     float viewport[4];
@@ -2623,6 +2990,9 @@ typedef struct tr_i_see_block {
     uint32_t tiles[TR_I_MAX_TILES];
 } tr_i_see_block;
 
+/* Within a frame: no pass of ours has begun; one has; the host draws its scene after one. */
+enum { TR_I_OUTSIDE, TR_I_INSIDE, TR_I_LENT };
+
 #define TR_I_QUERY_RING 3
 
 typedef struct tr_i_query {
@@ -2635,6 +3005,7 @@ typedef struct tr_i_see {
     int active;  /* this frame is of tr_begin_dynamic */
     int partial; /* some importance of an occluder is neither 0 nor 1 */
     int step;
+    int entered; /* whose state it is: TR_I_OUTSIDE, ... */
     tr_i_law law;
     tr_see_plan plan;
     tr_i_grid grid;
@@ -2643,8 +3014,8 @@ typedef struct tr_i_see {
     size_t counts[TR_I_UNIT_LISTS], capacity;
     int width, height, divisor, srgb; /* that the textures are made for */
     tr_i_u textures[TR_I_SEE_TEXTURE_COUNT], fbos[TR_I_SEE_FBO_COUNT], buffer;
-    tr_i_see_block block; /* as uploaded */
-    int block_uploaded;
+    tr_i_see_block block, uploaded; /* of this frame; as it is in the buffer */
+    int block_uploaded, in_use;     /* in_use: the built-in program of this frame's scene is */
 } tr_i_see;
 
 /* ---- dynamic transparency: what a context keeps of sequences ---- */
@@ -2728,10 +3099,9 @@ typedef struct tr_i_sequence {
     int grow, reach;  /* pixels around a target that its mask's textures cover; that its mask covers */
     int no_memory;
     int counted, published, product, each, layers, divisor; /* of this frame */
-    int width, height, texture_divisor;               /* of the textures */
-    int eight_bits;                                   /* 1: float textures cannot be drawn into */
-    int active;                                       /* this frame is of one */
-    int dirty;                                        /* the scene is drawn after state has been set */
+    int width, height, texture_divisor;                     /* of the textures */
+    int eight_bits;                                         /* 1: float textures cannot be drawn into */
+    int active;                                             /* this frame is of one */
     tr_i_u textures[TR_I_SEQ_TEXTURE_COUNT], fbos[TR_I_SEQ_FBO_COUNT], buffer;
     size_t buffer_size;
 } tr_i_sequence;
@@ -2743,8 +3113,8 @@ struct tr_context {
     tr_i_gl gl;
     int es, version, has_indexed, has_indexed_blend, has_viewports, viewports, draw_buffers, clip_distances;
     int32_t max_width, max_height, max_texture; /* of a viewport; of a texture */
-    const char *strings[TR_STAGE_COUNT][TR_RULE_COUNT][TR_I_MAX_STRINGS + 1];
-    int string_count[TR_STAGE_COUNT][TR_RULE_COUNT];
+    const char *strings[TR_STAGE_COUNT][TR_RULE_SEE_END][TR_I_MAX_STRINGS + 1];
+    int string_count[TR_STAGE_COUNT][TR_RULE_SEE_END];
     const char *alpha_strings[TR_STAGE_COUNT][TR_ALPHA_COUNT][TR_I_MAX_STRINGS + 1];
     int alpha_string_count[TR_STAGE_COUNT][TR_ALPHA_COUNT];
     tr_i_program programs[TR_I_PROGRAM_COUNT];
@@ -2846,7 +3216,9 @@ TR_I_API const char *tr_pass_kind_name(tr_pass_kind kind) {
                                         "spread y",     "finish",      "prime",
                                         "scene",        "behind",      "yield",
                                         "compose mask", "query",       "hides",
- "wipe", "seeds", "rows", "nearest", "masks", "paint depth", "paint", "count", "paint over"};
+                                        "wipe",         "seeds",       "rows",
+                                        "nearest",      "masks",       "paint depth",
+                                        "paint",        "count",       "paint over"};
     return (unsigned)kind < (unsigned)TR_PASS_KIND_COUNT ? names[kind] : "unknown pass";
 }
 
@@ -3696,6 +4068,8 @@ static void tr_i_plan_masks(tr_i_see *see, const tr_dynamic *dynamic) {
 
 static void tr_i_plan_one_mask(tr_i_see *see, const tr_dynamic *dynamic) {
     tr_see_plan *plan = &see->plan;
+    /* First, so that the host's state is as it was and needs no second snapshot. */
+    tr_i_add_see_pass(plan, TR_PASS_SCENE, TR_RULE_SEE_PLAIN, see->counts[TR_I_UNITS_ALL], "the whole scene, as ever");
     tr_i_plan_masks(see, dynamic);
     tr_i_add_see_pass(plan, TR_PASS_PRIME, TR_RULE_SEE_PLAIN, 0, "so that nothing is shaded outside of masks");
     tr_i_add_see_pass(plan, TR_PASS_BEHIND, TR_RULE_SEE_BEHIND, see->counts[TR_I_UNITS_BEHIND],
@@ -3705,7 +4079,6 @@ static void tr_i_plan_one_mask(tr_i_see *see, const tr_dynamic *dynamic) {
         tr_i_add_see_pass(plan, TR_PASS_YIELD, TR_RULE_SEE_YIELD, see->counts[TR_I_UNITS_MASKED],
                           "some yield in part: importance of the front-most");
     }
-    tr_i_add_see_pass(plan, TR_PASS_SCENE, TR_RULE_SEE_PLAIN, see->counts[TR_I_UNITS_ALL], "the whole scene, as ever");
     tr_i_add_see_pass(plan, TR_PASS_COMPOSE_MASK, TR_RULE_SEE_PLAIN, 0, "what shows through masks, over it");
 }
 
@@ -3945,8 +4318,7 @@ static void tr_i_join_groups(tr_i_rank *ranks, const uint32_t *order, size_t cou
 static void *tr_i_push(tr_context *tr, tr_i_array *array, size_t size) {
     if (array->count == array->capacity) {
         size_t capacity = array->capacity + array->capacity / 2 + 64;
-        void *items =
-            capacity > SIZE_MAX / size ? 0 : tr->desc.alloc_fn(capacity * size, tr->desc.alloc_user);
+        void *items = capacity > SIZE_MAX / size ? 0 : tr->desc.alloc_fn(capacity * size, tr->desc.alloc_user);
         if (!items)
             return 0;
         if (array->items) {
@@ -4498,6 +4870,26 @@ static void tr_i_save_bindings(const tr_context *tr, tr_i_snapshot *saved) {
     gl->ActiveTexture((tr_i_u)saved->active_texture);
 }
 
+static void tr_i_save_scissor(const tr_context *tr, tr_i_snapshot *saved) {
+    if (tr->has_viewports)
+        tr->gl.GetIntegeri_v(TR_I_GL_SCISSOR_BOX, 0, saved->scissor);
+    else
+        tr->gl.GetIntegerv(TR_I_GL_SCISSOR_BOX, saved->scissor);
+}
+
+/* Of the first viewport: Mesa 22 lets the scissors of others cut what is drawn into that. */
+static void tr_i_set_scissor(const tr_context *tr, const int32_t box[4], int on) {
+    if (tr->has_viewports) {
+        tr->gl.ScissorIndexed(0, box[0], box[1], box[2], box[3]);
+        if (on)
+            tr->gl.Enablei(TR_I_GL_SCISSOR_TEST, 0);
+        return;
+    }
+    tr->gl.Scissor(box[0], box[1], box[2], box[3]);
+    if (on)
+        tr->gl.Enable(TR_I_GL_SCISSOR_TEST);
+}
+
 static void tr_i_save(const tr_context *tr, tr_i_snapshot *saved) {
     const tr_i_gl *gl = &tr->gl;
     int i;
@@ -4510,6 +4902,8 @@ static void tr_i_save(const tr_context *tr, tr_i_snapshot *saved) {
     for (i = 0; i < tr->clip_distances; ++i)
         saved->clip_distances[i] = gl->IsEnabled(TR_I_GL_CLIP_DISTANCE0 + (tr_i_u)i);
     tr_i_save_viewport(tr, saved);
+    if (tr->see.active)
+        tr_i_save_scissor(tr, saved);
     gl->GetBooleanv(TR_I_GL_DEPTH_WRITEMASK, &saved->depth_mask);
     gl->GetIntegerv(TR_I_GL_DEPTH_FUNC, &saved->depth_func);
     gl->GetIntegerv(TR_I_GL_CULL_FACE_MODE, &saved->cull_mode);
@@ -4521,8 +4915,11 @@ static void tr_i_save(const tr_context *tr, tr_i_snapshot *saved) {
 /* What a fresh context would have saved, for TR_STATE_LEAVE_DEFAULTS; the viewport stays what it was. */
 static void tr_i_save_defaults(tr_i_snapshot *saved) {
     float viewport[4];
+    int32_t scissor[4];
     memcpy(viewport, saved->viewport, sizeof viewport);
+    memcpy(scissor, saved->scissor, sizeof scissor);
     memset(saved, 0, sizeof *saved);
+    memcpy(saved->scissor, scissor, sizeof scissor);
     memset(saved->color_masks, 1, sizeof saved->color_masks);
     memcpy(saved->viewport, viewport, sizeof viewport);
     saved->caps[2] = 1; /* dither */
@@ -4604,6 +5001,8 @@ static void tr_i_restore(const tr_context *tr, const tr_i_snapshot *saved) {
     for (i = 0; i < tr->viewports; ++i)
         tr_i_switch_of(tr, TR_I_GL_SCISSOR_TEST, i, saved->scissors[i]);
     tr_i_set_viewport(tr, saved->viewport[0], saved->viewport[1], saved->viewport[2], saved->viewport[3]);
+    if (tr->see.active)
+        tr_i_set_scissor(tr, saved->scissor, 0);
     gl->DepthMask(saved->depth_mask);
     gl->DepthFunc((tr_i_u)saved->depth_func);
     tr_i_set_depth_range(tr, saved->depth_range[0], saved->depth_range[1]);
@@ -4671,6 +5070,8 @@ static void tr_i_apply(const tr_context *tr, const tr_state *state) {
     gl->BindFramebuffer(TR_I_GL_DRAW_FRAMEBUFFER, state->framebuffer);
     tr_i_set_viewport(tr, (float)state->viewport[0], (float)state->viewport[1], (float)state->viewport[2],
                       (float)state->viewport[3]);
+    if (state->scissor[2] > 0)
+        tr_i_set_scissor(tr, state->scissor, 1);
     tr_i_set_depth_range(tr, 0.0, 1.0);
     /* A second buffer is one of ours: the mark. The host may have left blending on for it. */
     tr_i_mask_colors(tr, !state->color_write && !state->clear_color    ? 0
@@ -4754,8 +5155,13 @@ static int tr_i_wants_alpha(int rule) {
     return tr_i_wants_color(rule) && rule < TR_RULE_OPAQUE;
 }
 
+/* Of dynamic transparency. */
+static int tr_i_is_see(int rule) {
+    return rule >= TR_RULE_SEE_PLAIN;
+}
+
 static void tr_i_add_rule(tr_i_source *source, int rule) {
-    static const char *const rules[TR_RULE_COUNT] = {
+    static const char *const rules[TR_RULE_SEE_END] = {
         "#define TR_RULE 0\n",  "#define TR_RULE 1\n",  "#define TR_RULE 2\n",  "#define TR_RULE 3\n",
         "#define TR_RULE 4\n",  "#define TR_RULE 5\n",  "#define TR_RULE 6\n",  "#define TR_RULE 7\n",
         "#define TR_RULE 8\n",  "#define TR_RULE 9\n",  "#define TR_RULE 10\n", "#define TR_RULE 11\n",
@@ -4769,8 +5175,8 @@ static void tr_i_add_rule(tr_i_source *source, int rule) {
     tr_i_add(source, rule == TR_RULE_PEEL_GROUP || rule == TR_RULE_LIMIT_MARKED || rule == TR_RULE_LIMIT_MARKED_SHEET
                          ? "#define TR_CHAIN 1\n"
                          : "#define TR_CHAIN 0\n");
-    tr_i_add(source, rule >= TR_RULE_SEE_PLAIN ? "#define TR_IS_SEE 1\n" : "#define TR_IS_SEE 0\n");
     tr_i_add(source, rule == TR_RULE_OPAQUE_ENTERING ? "#define TR_STRENGTHENS 1\n" : "#define TR_STRENGTHENS 0\n");
+    tr_i_add(source, tr_i_is_see(rule) ? "#define TR_IS_SEE 1\n" : "#define TR_IS_SEE 0\n");
 }
 
 /* What a host's shader begins with, and the built-in surface programs too. */
@@ -4785,6 +5191,10 @@ static void tr_i_host_source(tr_i_source *source, tr_stage stage, int rule, int 
     } else if (rule >= TR_RULE_SEE_DEPTH) {
         tr_i_add_chunks(source, tr_i_shader_seq_block_glsl);
         tr_i_add_chunks(source, tr_i_shader_seq_units_glsl);
+        tr_i_add_chunks(source, tr_i_shader_cool_to_warm_glsl);
+    } else if (tr_i_is_see(rule)) {
+        tr_i_add_chunks(source, tr_i_shader_see_block_glsl);
+        tr_i_add_chunks(source, tr_i_shader_see_rules_glsl);
         tr_i_add_chunks(source, tr_i_shader_cool_to_warm_glsl);
     } else {
         tr_i_add_chunks(source, tr_i_shader_frame_block_glsl);
@@ -4873,6 +5283,26 @@ static void tr_i_outline_source(tr_i_source *source, tr_stage stage, int variant
     tr_i_add_chunks(source, stage == TR_VERTEX ? tr_i_shader_fullscreen_vert : tr_i_shader_outline_frag);
 }
 
+/* Full-screen passes of dynamic transparency. */
+static void tr_i_see_source(tr_i_source *source, tr_stage stage, int program) {
+    int rows = program == TR_I_PROGRAM_SPREAD_X, low = program == TR_I_PROGRAM_SPREAD_Y;
+    tr_i_add_chunks(source, tr_i_shader_see_block_glsl);
+    if (stage == TR_VERTEX) {
+        tr_i_add(source, rows || low ? "#define TR_COARSE_X 1\n" : "#define TR_COARSE_X 0\n");
+        tr_i_add(source, low ? "#define TR_COARSE_Y 1\n" : "#define TR_COARSE_Y 0\n");
+        tr_i_add_chunks(source, tr_i_shader_see_tile_vert);
+        return;
+    }
+    tr_i_add(source, low ? "#define TR_SPREAD 1\n" : "#define TR_SPREAD 0\n");
+    tr_i_add(source, program == TR_I_PROGRAM_FINISH ? "#define TR_HAS_LOW 1\n" : "#define TR_HAS_LOW 0\n");
+    tr_i_add(source, program == TR_I_PROGRAM_COMPOSE_YIELD ? "#define TR_HAS_YIELD 1\n" : "#define TR_HAS_YIELD 0\n");
+    tr_i_add_chunks(source, rows || low                            ? tr_i_shader_see_spread_frag
+                            : program == TR_I_PROGRAM_PRIME        ? tr_i_shader_see_prime_frag
+                            : program == TR_I_PROGRAM_QUERY        ? tr_i_shader_see_query_frag
+                            : program >= TR_I_PROGRAM_COMPOSE_MASK ? tr_i_shader_see_compose_frag
+                                                                   : tr_i_shader_see_finish_frag);
+}
+
 /* After the strings of tr_i_host_source, which hold the law itself for the vertex stage. */
 static void tr_i_alpha_source(tr_i_source *source, tr_stage stage, int alpha) {
     static const char *const rungs[TR_ALPHA_COUNT] = {"#define TR_ALPHA 0\n", "#define TR_ALPHA 1\n",
@@ -4895,8 +5325,7 @@ static void tr_i_seq_source(tr_i_source *source, tr_stage stage, int program) {
     tr_i_add_chunks(source, tr_i_shader_seq_block_glsl);
     if (stage == TR_VERTEX) {
         tr_i_add_define(source, "TR_BOXES", (uint32_t)boxes);
-        tr_i_add_chunks(source,
-                        program == TR_I_SEQ_OVER ? tr_i_shader_fullscreen_vert : tr_i_shader_seq_boxes_vert);
+        tr_i_add_chunks(source, program == TR_I_SEQ_OVER ? tr_i_shader_fullscreen_vert : tr_i_shader_seq_boxes_vert);
         return;
     }
     tr_i_add_define(source, "TR_RINGS", (uint32_t)(variant & 1));
@@ -4914,8 +5343,9 @@ static void tr_i_seq_source(tr_i_source *source, tr_stage stage, int program) {
 static void tr_i_program_source(tr_i_source *source, int program, uint32_t key, tr_stage stage, int es,
                                 int reversed_z) {
     if (program < TR_I_PROGRAM_COPY_DEPTH || (program >= TR_I_PROGRAM_ALPHA && program < TR_I_PROGRAM_OUTLINE)) {
-        int further = program >= TR_I_PROGRAM_ALPHA ? program - TR_I_PROGRAM_ALPHA + (int)TR_RULE_COUNT : program;
-        int rule = further % (int)TR_RULE_COUNT, alpha = further / (int)TR_RULE_COUNT;
+        int further = program - TR_I_PROGRAM_ALPHA;
+        int rule = further < 0 ? program : further % (int)TR_RULE_COUNT;
+        int alpha = further < 0 ? 0 : further / (int)TR_RULE_COUNT + 1;
         tr_i_host_source(source, stage, rule, es, reversed_z);
         if (tr_i_wants_alpha(rule))
             tr_i_alpha_source(source, stage, alpha);
@@ -4927,6 +5357,8 @@ static void tr_i_program_source(tr_i_source *source, int program, uint32_t key, 
     tr_i_add_preamble(source, es, reversed_z);
     if (program >= TR_I_PROGRAM_SEQUENCE)
         tr_i_seq_source(source, stage, program - TR_I_PROGRAM_SEQUENCE);
+    else if (program >= TR_I_PROGRAM_SEE)
+        tr_i_see_source(source, stage, program);
     else if (program >= TR_I_PROGRAM_OUTLINE)
         tr_i_outline_source(source, stage, program - TR_I_PROGRAM_OUTLINE);
     else if (program >= TR_I_PROGRAM_VARIANT)
@@ -4997,8 +5429,13 @@ static void tr_i_wire_program(tr_context *tr, tr_i_u program) {
                                                            "tr_scene_depth", "tr_opaque_color", "tr_layer_color",
                                                            "tr_front_mark",  "tr_crossings"};
     /* No program has two names for one unit. */
-    static const char *const others[] = {"tr_edge_segments", "tr_edge_lists", "tr_outlines", "tr_ids", "tr_nearest"};
-    static const int units[] = {TR_TEXTURE_UNITS, TR_TEXTURE_UNITS + 1, TR_TEXTURE_UNITS, TR_I_OPAQUE_COLOR, TR_I_MARK};
+    static const char *const others[] = {"tr_edge_segments", "tr_edge_lists", "tr_outlines",   "tr_ids",
+                                         "tr_nearest",       "tr_see_depth",  "tr_see_mark",   "tr_see_mask",
+                                         "tr_see_rows",      "tr_see_low",    "tr_see_behind", "tr_see_low_depth",
+                                         "tr_see_yield"};
+    static const int units[] = {TR_TEXTURE_UNITS, TR_TEXTURE_UNITS + 1, TR_TEXTURE_UNITS,  TR_I_OPAQUE_COLOR, TR_I_MARK,
+                                TR_I_SCENE_DEPTH, TR_I_OPAQUE_COLOR,    TR_I_OPAQUE_COLOR, TR_I_MARK,         TR_I_MARK,
+                                TR_I_MARK,        TR_I_CROSSINGS,       TR_I_CROSSINGS};
     tr_i_u block = tr->gl.GetUniformBlockIndex(program, "tr_frame");
     int i;
     tr->gl.UseProgram(program);
@@ -5007,7 +5444,7 @@ static void tr_i_wire_program(tr_context *tr, tr_i_u program) {
         if (location >= 0)
             tr->gl.Uniform1i(location, tr->desc.first_texture_unit + i);
     }
-    for (i = 0; i < 5; ++i) {
+    for (i = 0; i < (int)(sizeof units / sizeof units[0]); ++i) {
         int32_t location = tr->gl.GetUniformLocation(program, others[i]);
         if (location >= 0)
             tr->gl.Uniform1i(location, tr->desc.first_texture_unit + units[i]);
@@ -5017,8 +5454,6 @@ static void tr_i_wire_program(tr_context *tr, tr_i_u program) {
         if (location >= 0)
             tr->gl.Uniform1i(location, tr->desc.first_texture_unit + tr_i_seq_samplers[i].unit);
     }
-    if (block == TR_I_GL_INVALID_INDEX)
-        block = tr->gl.GetUniformBlockIndex(program, "tr_sequence");
     if (block != TR_I_GL_INVALID_INDEX)
         tr->gl.UniformBlockBinding(program, block, (tr_i_u)tr->desc.uniform_binding);
 }
@@ -5048,7 +5483,7 @@ static tr_result tr_i_make_program(tr_context *tr, int index) {
 }
 
 TR_I_API const char *const *tr_glsl(const tr_context *tr, tr_stage stage, tr_rule rule, int *count) {
-    if (!tr || (unsigned)stage >= (unsigned)TR_STAGE_COUNT || (unsigned)rule >= (unsigned)TR_RULE_COUNT || !count)
+    if (!tr || (unsigned)stage >= (unsigned)TR_STAGE_COUNT || (unsigned)rule >= (unsigned)TR_RULE_SEE_END || !count)
         return 0;
     *count = tr->string_count[stage][rule];
     return tr->strings[stage][rule];
@@ -5173,7 +5608,7 @@ static tr_result tr_i_detect(tr_context *tr) {
     tr->has_indexed_blend = tr->version >= (tr->es ? 320 : 400) && tr->gl.BlendFuncSeparatei &&
                             tr->gl.BlendEquationSeparatei && tr->has_indexed;
     tr->has_viewports = !tr->es && tr->version >= 410 && tr->gl.ViewportIndexedf && tr->gl.DepthRangeIndexed &&
-                        tr->gl.GetFloati_v && tr->gl.GetDoublei_v && tr->has_indexed;
+                        tr->gl.GetFloati_v && tr->gl.GetDoublei_v && tr->gl.ScissorIndexed && tr->has_indexed;
     if (tr->has_viewports) {
         tr->gl.GetIntegerv(TR_I_GL_MAX_VIEWPORTS, &limit);
         tr->viewports = limit > TR_I_MAX_VIEWPORTS ? TR_I_MAX_VIEWPORTS : limit;
@@ -5241,7 +5676,7 @@ static void tr_i_assemble_host_sources(tr_context *tr) {
     tr_i_source source;
     int stage, rule;
     for (stage = 0; stage < (int)TR_STAGE_COUNT; ++stage) {
-        for (rule = 0; rule < (int)TR_RULE_COUNT; ++rule) {
+        for (rule = 0; rule < (int)TR_RULE_SEE_END; ++rule) {
             tr_i_host_source(&source, (tr_stage)stage, rule, tr->es, tr->desc.reversed_z);
             memcpy(tr->strings[stage][rule], source.strings, (size_t)source.count * sizeof source.strings[0]);
             /* The host's own text counts its lines from 1. */
@@ -5343,30 +5778,112 @@ static void tr_i_drop_edges(tr_context *tr) {
 
 /* ---- dynamic transparency: memory and textures ------------------------------------------------------------------ */
 
-static uint64_t tr_i_see_bytes(const tr_context *tr) {
-    (void)tr;
-    return 0;
+typedef struct tr_i_see_format {
+    tr_i_u internal, format, type;
+    uint32_t bytes;
+    int across, up; /* 0: the viewport's size; 1: divided as masks are; 2: by 4 */
+} tr_i_see_format;
+
+static tr_i_see_format tr_i_see_format_of(int texture, int srgb) {
+    static const tr_i_see_format formats[TR_I_SEE_TEXTURE_COUNT] = {
+        {TR_I_GL_DEPTH_COMPONENT32F, TR_I_GL_DEPTH_COMPONENT, TR_I_GL_FLOAT, 4, 0, 0},
+        {TR_I_GL_RGBA8, TR_I_GL_RGBA, TR_I_GL_UNSIGNED_BYTE, 4, 0, 0},
+        {TR_I_GL_R8, TR_I_GL_RED, TR_I_GL_UNSIGNED_BYTE, 1, 1, 0},
+        {TR_I_GL_RGBA8, TR_I_GL_RGBA, TR_I_GL_UNSIGNED_BYTE, 4, 1, 1},
+        {TR_I_GL_DEPTH_COMPONENT32F, TR_I_GL_DEPTH_COMPONENT, TR_I_GL_FLOAT, 4, 1, 1},
+        {TR_I_GL_RG8, TR_I_GL_RG, TR_I_GL_UNSIGNED_BYTE, 2, 0, 0},
+        {TR_I_GL_DEPTH_COMPONENT32F, TR_I_GL_DEPTH_COMPONENT, TR_I_GL_FLOAT, 4, 0, 0},
+        {TR_I_GL_RGBA8, TR_I_GL_RGBA, TR_I_GL_UNSIGNED_BYTE, 4, 0, 0},
+        {TR_I_GL_R8, TR_I_GL_RED, TR_I_GL_UNSIGNED_BYTE, 1, 0, 0},
+        {TR_I_GL_RGBA8, TR_I_GL_RGBA, TR_I_GL_UNSIGNED_BYTE, 4, 2, 2}};
+    tr_i_see_format format = formats[texture];
+    if (texture == TR_I_SEE_BEHIND && srgb)
+        format.internal = TR_I_GL_SRGB8_ALPHA8;
+    return format;
 }
 
-/* Lists for so many units; grown by a quarter more, so that counts that change little allocate nothing. */
-static tr_result tr_i_fit_units(tr_context *tr, size_t count) {
-    tr_i_see *see = &tr->see;
-    size_t capacity = count + count / 4 + 64, each = sizeof(tr_i_place) + TR_I_UNIT_LISTS * sizeof(uint32_t);
-    char *block;
-    int list;
-    if (count <= see->capacity && see->places)
-        return TR_OK;
-    block = (char *)tr->desc.alloc_fn(capacity * each, tr->desc.alloc_user);
-    if (!block)
-        return tr_i_fail(&tr->desc, TR_OUT_OF_MEMORY, "dynamic.units");
-    if (see->places)
-        tr->desc.free_fn(see->places, tr->desc.alloc_user);
-    see->places = (tr_i_place *)(void *)block;
-    see->capacity = capacity;
-    for (list = 0; list < TR_I_UNIT_LISTS; ++list)
-        see->lists[list] =
-            (uint32_t *)(void *)(block + capacity * (sizeof(tr_i_place) + (size_t)list * sizeof(uint32_t)));
-    return TR_OK;
+static void tr_i_see_size(const tr_i_see_format *format, int width, int height, int divisor, int out[2]) {
+    int across = format->across == 0 ? 1 : format->across == 1 ? divisor : 4;
+    int up = format->up == 0 ? 1 : format->up == 1 ? divisor : 4;
+    out[0] = (width + across - 1) / across;
+    out[1] = (height + up - 1) / up;
+}
+
+static uint64_t tr_i_see_weight(int texture, int width, int height, int divisor) {
+    tr_i_see_format format = tr_i_see_format_of(texture, 0);
+    int size[2];
+    tr_i_see_size(&format, width, height, divisor, size);
+    return (uint64_t)size[0] * (uint64_t)size[1] * format.bytes;
+}
+
+/* Of the framebuffers: a colour, and a depth or none (-1). */
+static void tr_i_see_attached(int fbo, int out[2]) {
+    static const signed char attached[TR_I_SEE_FBO_COUNT][2] = {{TR_I_SEE_MARK, TR_I_SEE_DEPTH},
+                                                                {TR_I_SEE_ROWS, -1},
+                                                                {TR_I_SEE_LOW, TR_I_SEE_LOW_DEPTH},
+                                                                {TR_I_SEE_MASK, TR_I_SEE_MASK_DEPTH},
+                                                                {TR_I_SEE_BEHIND, TR_I_SEE_DEPTH},
+                                                                {TR_I_SEE_YIELD, TR_I_SEE_DEPTH},
+                                                                {TR_I_SEE_QUERY, -1}};
+    out[0] = attached[fbo][0];
+    out[1] = attached[fbo][1];
+}
+
+/* The framebuffer of ours that a pass of a plan draws into; -1: the host's. */
+static int tr_i_see_fbo_of(const tr_see_plan *plan, int index) {
+    switch (plan->passes[index].kind) {
+    case TR_PASS_BLOCK:
+    case TR_PASS_TARGETS:
+        return TR_I_SEE_FBO_TARGETS;
+    case TR_PASS_SPREAD_X:
+        return TR_I_SEE_FBO_ROWS;
+    case TR_PASS_SPREAD_Y:
+        return TR_I_SEE_FBO_LOW;
+    case TR_PASS_FINISH:
+        return TR_I_SEE_FBO_MASK;
+    case TR_PASS_PRIME: /* for the pass after it */
+        return plan->passes[index + 1].kind == TR_PASS_YIELD ? TR_I_SEE_FBO_YIELD : TR_I_SEE_FBO_BEHIND;
+    case TR_PASS_BEHIND:
+        return TR_I_SEE_FBO_BEHIND;
+    case TR_PASS_YIELD:
+        return TR_I_SEE_FBO_YIELD;
+    case TR_PASS_QUERY:
+    case TR_PASS_HIDES:
+        return TR_I_SEE_FBO_QUERY;
+    default:
+        return -1;
+    }
+}
+
+/* Bits of the textures that a plan draws into. */
+static uint32_t tr_i_see_needs(const tr_see_plan *plan) {
+    uint32_t needs = 0;
+    int i, attached[2];
+    for (i = 0; i < plan->pass_count; ++i) {
+        int fbo = tr_i_see_fbo_of(plan, i);
+        if (fbo < 0)
+            continue;
+        tr_i_see_attached(fbo, attached);
+        needs |= 1u << attached[0] | (attached[1] >= 0 ? 1u << attached[1] : 0u);
+    }
+    return needs;
+}
+
+/* Textures of dynamic transparency that are held now. */
+static uint64_t tr_i_see_bytes(const tr_context *tr) {
+    const tr_i_see *see = &tr->see;
+    uint64_t bytes = 0;
+    int i;
+    for (i = 0; i < TR_I_SEE_TEXTURE_COUNT; ++i)
+        if (see->textures[i])
+            bytes += tr_i_see_weight(i, see->width, see->height, see->divisor);
+    return bytes;
+}
+
+static void tr_i_drop_see_textures(tr_context *tr) {
+    tr_i_delete_framebuffers(tr, TR_I_SEE_FBO_COUNT, tr->see.fbos);
+    tr_i_delete_textures(tr, TR_I_SEE_TEXTURE_COUNT, tr->see.textures);
+    tr->see.width = tr->see.height = 0;
 }
 
 /* ---- dynamic transparency: textures of sequences ---- */
@@ -5409,8 +5926,7 @@ static void tr_i_seq_size(const tr_i_sequence *seq, int texture, int size[2]) {
 /* Bits of the textures that the steps of this frame need. */
 static uint32_t tr_i_seq_needs(const tr_i_sequence *seq) {
     const tr_i_step *steps = (const tr_i_step *)seq->steps.items;
-    uint32_t needs =
-        1u << TR_I_SEQ_SEED | 1u << TR_I_SEQ_ROWS | 1u << TR_I_SEQ_NEAREST | 1u << TR_I_SEQ_ALPHAS;
+    uint32_t needs = 1u << TR_I_SEQ_SEED | 1u << TR_I_SEQ_ROWS | 1u << TR_I_SEQ_NEAREST | 1u << TR_I_SEQ_ALPHAS;
     if (seq->steps.count > 1 && steps[1].kind == (uint8_t)TR_PASS_BLOCK)
         needs |= 1u << TR_I_SEQ_BLOCK;
     if (seq->counted)
@@ -5489,10 +6005,13 @@ static void tr_i_make_seq_texture(tr_context *tr, int index) {
 
 /* What is attached to a framebuffer: depth and colour, -1: none. */
 static void tr_i_seq_attachments(int fbo, int out[2]) {
-    static const int attached[TR_I_SEQ_FBO_COUNT][2] = {
-        {TR_I_SEQ_SEED, -1},   {-1, TR_I_SEQ_ROWS},   {-1, TR_I_SEQ_NEAREST},
-        {TR_I_SEQ_BLOCK, -1},  {-1, TR_I_SEQ_ALPHAS}, {TR_I_SEQ_OWN_DEPTH, TR_I_SEQ_OWN_COLOR},
-        {TR_I_SEQ_OWN_DEPTH, TR_I_SEQ_REMAINING}};
+    static const int attached[TR_I_SEQ_FBO_COUNT][2] = {{TR_I_SEQ_SEED, -1},
+                                                        {-1, TR_I_SEQ_ROWS},
+                                                        {-1, TR_I_SEQ_NEAREST},
+                                                        {TR_I_SEQ_BLOCK, -1},
+                                                        {-1, TR_I_SEQ_ALPHAS},
+                                                        {TR_I_SEQ_OWN_DEPTH, TR_I_SEQ_OWN_COLOR},
+                                                        {TR_I_SEQ_OWN_DEPTH, TR_I_SEQ_REMAINING}};
     memcpy(out, attached[fbo], sizeof attached[fbo]);
 }
 
@@ -5559,13 +6078,100 @@ static tr_result tr_i_make_seq_textures(tr_context *tr) {
     return tr_i_fail(&tr->desc, TR_TARGET_INCOMPLETE, "one of the header's own");
 }
 
-/* Everything but programs. */
+/* All but the uniform buffer. */
 static void tr_i_drop_see(tr_context *tr) {
+    tr_i_drop_see_textures(tr);
     if (tr->see.places)
         tr->desc.free_fn(tr->see.places, tr->desc.alloc_user);
     tr->see.places = 0;
     tr->see.capacity = 0;
     tr_i_drop_sequence(tr);
+}
+
+/* Lists for so many units; grown by a quarter more, so that counts that change little allocate nothing. */
+static tr_result tr_i_fit_units(tr_context *tr, size_t count) {
+    tr_i_see *see = &tr->see;
+    size_t capacity = count + count / 4 + 64, each = sizeof(tr_i_place) + TR_I_UNIT_LISTS * sizeof(uint32_t);
+    char *block;
+    int list;
+    if (count <= see->capacity && see->places)
+        return TR_OK;
+    block = (char *)tr->desc.alloc_fn(capacity * each, tr->desc.alloc_user);
+    if (!block)
+        return tr_i_fail(&tr->desc, TR_OUT_OF_MEMORY, "dynamic.units");
+    if (see->places)
+        tr->desc.free_fn(see->places, tr->desc.alloc_user);
+    see->places = (tr_i_place *)(void *)block;
+    see->capacity = capacity;
+    for (list = 0; list < TR_I_UNIT_LISTS; ++list)
+        see->lists[list] =
+            (uint32_t *)(void *)(block + capacity * (sizeof(tr_i_place) + (size_t)list * sizeof(uint32_t)));
+    return TR_OK;
+}
+
+static void tr_i_make_see_texture(tr_context *tr, int index) {
+    const tr_i_gl *gl = &tr->gl;
+    const tr_i_see *see = &tr->see;
+    tr_i_see_format format = tr_i_see_format_of(index, see->srgb);
+    int size[2];
+    tr_i_see_size(&format, see->width, see->height, see->divisor, size);
+    gl->GenTextures(1, &tr->see.textures[index]);
+    gl->BindTexture(TR_I_GL_TEXTURE_2D, see->textures[index]);
+    gl->TexImage2D(TR_I_GL_TEXTURE_2D, 0, (int32_t)format.internal, size[0], size[1], 0, format.format, format.type, 0);
+    gl->TexParameteri(TR_I_GL_TEXTURE_2D, TR_I_GL_TEXTURE_MIN_FILTER, TR_I_GL_NEAREST);
+    gl->TexParameteri(TR_I_GL_TEXTURE_2D, TR_I_GL_TEXTURE_MAG_FILTER, TR_I_GL_NEAREST);
+    gl->TexParameteri(TR_I_GL_TEXTURE_2D, TR_I_GL_TEXTURE_WRAP_S, TR_I_GL_CLAMP_TO_EDGE);
+    gl->TexParameteri(TR_I_GL_TEXTURE_2D, TR_I_GL_TEXTURE_WRAP_T, TR_I_GL_CLAMP_TO_EDGE);
+}
+
+static int tr_i_make_see_fbo(tr_context *tr, int index) {
+    static const tr_i_u color = TR_I_GL_COLOR_ATTACHMENT0;
+    const tr_i_gl *gl = &tr->gl;
+    int attached[2];
+    tr_i_see_attached(index, attached);
+    gl->GenFramebuffers(1, &tr->see.fbos[index]);
+    gl->BindFramebuffer(TR_I_GL_DRAW_FRAMEBUFFER, tr->see.fbos[index]);
+    gl->BindFramebuffer(TR_I_GL_READ_FRAMEBUFFER, tr->see.fbos[index]);
+    gl->FramebufferTexture2D(TR_I_GL_DRAW_FRAMEBUFFER, color, TR_I_GL_TEXTURE_2D, tr->see.textures[attached[0]], 0);
+    if (attached[1] >= 0)
+        gl->FramebufferTexture2D(TR_I_GL_DRAW_FRAMEBUFFER, TR_I_GL_DEPTH_ATTACHMENT, TR_I_GL_TEXTURE_2D,
+                                 tr->see.textures[attached[1]], 0);
+    gl->DrawBuffers(1, &color);
+    gl->ReadBuffer(color);
+    return gl->CheckFramebufferStatus(TR_I_GL_DRAW_FRAMEBUFFER) == TR_I_GL_FRAMEBUFFER_COMPLETE;
+}
+
+/* Whether textures of another size, divisor or encoding are held. */
+static int tr_i_see_misfits(const tr_context *tr) {
+    const tr_i_see *see = &tr->see;
+    int srgb = (tr->frame.wishes.options & TR_WISH_SRGB) != 0;
+    return see->width != tr->frame.width || see->height != tr->frame.height || see->divisor != see->law.divisor ||
+           see->srgb != srgb;
+}
+
+static tr_result tr_i_make_see_textures(tr_context *tr) {
+    tr_i_see *see = &tr->see;
+    uint32_t needs = tr_i_see_needs(&see->plan);
+    int i;
+    if (tr_i_see_misfits(tr))
+        tr_i_drop_see_textures(tr);
+    see->width = tr->frame.width;
+    see->height = tr->frame.height;
+    see->divisor = see->law.divisor;
+    see->srgb = (tr->frame.wishes.options & TR_WISH_SRGB) != 0;
+    tr->gl.BindBuffer(TR_I_GL_PIXEL_UNPACK_BUFFER, 0);
+    tr->gl.ActiveTexture(TR_I_GL_TEXTURE0 + (tr_i_u)(tr->desc.first_texture_unit + TR_I_SCENE_DEPTH));
+    for (i = 0; i < TR_I_SEE_TEXTURE_COUNT; ++i)
+        if (((needs >> i) & 1u) && !see->textures[i])
+            tr_i_make_see_texture(tr, i);
+    for (i = 0; i < see->plan.pass_count; ++i) {
+        int fbo = tr_i_see_fbo_of(&see->plan, i);
+        if (fbo < 0 || see->fbos[fbo] || tr_i_make_see_fbo(tr, fbo))
+            continue;
+        tr_i_drop_see_textures(tr);
+        return tr_i_fail(&tr->desc, TR_TARGET_INCOMPLETE, "one of the header's own");
+    }
+    return TR_OK;
 }
 
 TR_I_API tr_result tr_release(tr_context *tr) {
@@ -5596,6 +6202,8 @@ TR_I_API void tr_destroy(tr_context *tr) {
         tr->gl.DeleteVertexArrays(1, &tr->vertex_array);
     if (tr->uniform_buffer)
         tr->gl.DeleteBuffers(1, &tr->uniform_buffer);
+    if (tr->see.buffer)
+        tr->gl.DeleteBuffers(1, &tr->see.buffer);
     tr->desc.free_fn(tr, tr->desc.alloc_user);
 }
 
@@ -6889,6 +7497,229 @@ static void tr_i_draw_triangle(tr_context *tr, const tr_state *state) {
     tr->gl.BindVertexArray((tr_i_u)vertex_array);
 }
 
+/* ---- dynamic transparency: the sequence ------------------------------------------------------------------------- */
+
+static tr_result tr_i_check_dynamic(const tr_context *tr, const tr_frame *frame, const tr_dynamic *dynamic) {
+    const char *wrong = tr_i_check_law(dynamic);
+    if (!wrong)
+        wrong = tr_i_check_rung(dynamic);
+    if (!wrong)
+        wrong = tr_i_check_lights(dynamic);
+    if (!wrong)
+        wrong = tr_i_check_units(dynamic);
+    if (wrong)
+        return tr_i_fail(&tr->desc, TR_INVALID_ARGUMENT, wrong);
+    return tr_i_check_frame(tr, frame);
+}
+
+/* Bytes of the textures that the plan needs. */
+static void tr_i_weigh_see(tr_context *tr) {
+    tr_i_see *see = &tr->see;
+    uint32_t needs = tr_i_see_needs(&see->plan);
+    int i;
+    for (i = 0; i < TR_I_SEE_TEXTURE_COUNT; ++i)
+        if ((needs >> i) & 1u)
+            see->plan.bytes += tr_i_see_weight(i, tr->frame.width, tr->frame.height, see->law.divisor);
+}
+
+/* What of a frame is looked at. */
+static tr_frame tr_i_dynamic_frame(const tr_frame *frame) {
+    tr_frame used = *frame;
+    memset(&used.scene, 0, sizeof used.scene);
+    memset(&used.wishes, 0, sizeof used.wishes);
+    used.wishes.options = frame->wishes.options & TR_WISH_SRGB;
+    used.enter_distance = used.group_distance = 0.0f;
+    return used;
+}
+
+/* The program of ours for a pass of the plan. */
+static int tr_i_see_program(const tr_context *tr, const tr_see_pass *pass) {
+    switch (pass->kind) {
+    case TR_PASS_SPREAD_X:
+        return TR_I_PROGRAM_SPREAD_X;
+    case TR_PASS_SPREAD_Y:
+        return TR_I_PROGRAM_SPREAD_Y;
+    case TR_PASS_FINISH:
+        return tr->see.law.reach ? TR_I_PROGRAM_FINISH : TR_I_PROGRAM_FINISH_BARE;
+    case TR_PASS_PRIME:
+        return TR_I_PROGRAM_PRIME;
+    case TR_PASS_COMPOSE_MASK:
+        return tr->see.partial ? TR_I_PROGRAM_COMPOSE_YIELD : TR_I_PROGRAM_COMPOSE_MASK;
+    case TR_PASS_QUERY:
+        return TR_I_PROGRAM_QUERY;
+    default:
+        return (int)pass->rule;
+    }
+}
+
+/* Whether the host draws in a pass; else it is one of tiles. */
+static int tr_i_see_is_drawn(tr_pass_kind kind) {
+    return kind == TR_PASS_BLOCK || kind == TR_PASS_TARGETS || kind == TR_PASS_SCENE || kind == TR_PASS_BEHIND ||
+           kind == TR_PASS_YIELD || kind == TR_PASS_HIDES;
+}
+
+static const uint32_t *tr_i_see_units(const tr_i_see *see, tr_pass_kind kind) {
+    switch (kind) {
+    case TR_PASS_BLOCK:
+        return see->lists[TR_I_UNITS_BLOCK];
+    case TR_PASS_TARGETS:
+        return see->lists[TR_I_UNITS_TARGETS];
+    case TR_PASS_BEHIND:
+        return see->lists[TR_I_UNITS_BEHIND];
+    case TR_PASS_YIELD:
+        return see->lists[TR_I_UNITS_MASKED];
+    case TR_PASS_HIDES:
+        return see->lists[TR_I_UNITS_YIELDING];
+    case TR_PASS_SCENE:
+        return see->lists[TR_I_UNITS_ALL];
+    default:
+        return 0;
+    }
+}
+
+static void tr_i_fill_see_block(tr_context *tr, const tr_dynamic *dynamic) {
+    const tr_i_see *see = &tr->see;
+    tr_i_see_block *block = &tr->see.block;
+    tr_i_block shading;
+    size_t i;
+    tr_i_fill_block(&tr->frame, tr->desc.zero_to_one, 1, &shading);
+    memset(block, 0, sizeof *block);
+    memcpy(block->light, shading.light, sizeof shading.light);
+    memcpy(block->cool, shading.cool, sizeof shading.cool);
+    memcpy(block->warm, shading.warm, sizeof shading.warm);
+    memcpy(block->viewport, shading.viewport, sizeof shading.viewport);
+    block->law[0] = see->law.target;
+    block->law[1] = see->law.start;
+    block->law[2] = see->law.width;
+    block->law[3] = (float)dynamic->light_count;
+    memcpy(block->background, dynamic->background, sizeof dynamic->background);
+    block->background[3] = dynamic->occluders == TR_OCCLUDERS_EACH ? 1.0f : 0.0f;
+    block->grid[0] = see->law.divisor;
+    block->grid[1] = see->grid.side;
+    block->grid[2] = (int32_t)(dynamic->frame_index & 0x7fffffffu);
+    block->grid[3] = see->law.reach;
+    for (i = 0; i < dynamic->light_count; ++i) {
+        const tr_light *light = &dynamic->lights[i];
+        block->lights[i][0] = light->x;
+        block->lights[i][1] = light->y;
+        block->lights[i][2] = light->radius;
+        block->lights[i][3] = light->edge;
+    }
+    for (i = 0; see->plan.see != TR_SEE_OFF && i < (size_t)see->grid.tile_count; ++i) {
+        const unsigned char *tile = see->grid.tiles[i];
+        block->tiles[i] = tile[0] | (uint32_t)tile[1] << 8 | (uint32_t)tile[2] << 16 | (uint32_t)tile[3] << 24;
+    }
+}
+
+/* 1 if something has to be created: never in a steady frame. */
+static int tr_i_see_lacks(const tr_context *tr) {
+    const tr_i_see *see = &tr->see;
+    uint32_t needs = tr_i_see_needs(&see->plan);
+    int i;
+    if (!see->buffer || !tr->vertex_array || (needs && tr_i_see_misfits(tr)))
+        return 1;
+    for (i = 0; i < TR_I_SEE_TEXTURE_COUNT; ++i)
+        if (((needs >> i) & 1u) && !see->textures[i])
+            return 1;
+    for (i = 0; i < see->plan.pass_count; ++i) {
+        const tr_see_pass *pass = &see->plan.passes[i];
+        int fbo = tr_i_see_fbo_of(&see->plan, i);
+        int wanted = pass->kind != TR_PASS_SCENE || tr->desc.state == TR_STATE_NONE;
+        if ((fbo >= 0 && !see->fbos[fbo]) || (wanted && !tr->programs[tr_i_see_program(tr, pass)].name))
+            return 1;
+    }
+    return 0;
+}
+
+static void tr_i_make_see_buffer(tr_context *tr) {
+    tr_i_see *see = &tr->see;
+    if (see->buffer)
+        return;
+    tr->gl.GenBuffers(1, &see->buffer);
+    tr->gl.BindBuffer(TR_I_GL_COPY_WRITE_BUFFER, see->buffer);
+    tr->gl.BufferData(TR_I_GL_COPY_WRITE_BUFFER, (ptrdiff_t)sizeof see->block, 0, TR_I_GL_DYNAMIC_DRAW);
+    see->block_uploaded = 0;
+}
+
+/* The built-in programs of TR_PASS_SCENE are made by tr_set_material, as most hosts have their own; but hosts that apply
+   state themselves are told a program's name. */
+static tr_result tr_i_see_work(tr_context *tr) {
+    tr_i_see *see = &tr->see;
+    tr_result result = see->plan.see == TR_SEE_OFF ? TR_OK : tr_i_make_see_textures(tr);
+    int i;
+    for (i = 0; i < see->plan.pass_count && result == TR_OK; ++i)
+        if (see->plan.passes[i].kind != TR_PASS_SCENE || tr->desc.state == TR_STATE_NONE)
+            result = tr_i_make_program(tr, tr_i_see_program(tr, &see->plan.passes[i]));
+    if (result != TR_OK)
+        return result;
+    if (!tr->vertex_array)
+        tr->gl.GenVertexArrays(1, &tr->vertex_array);
+    tr_i_make_see_buffer(tr);
+    return TR_OK;
+}
+
+/* Tiles change with the view, so that this is done in most frames. */
+static void tr_i_upload_see_block(tr_context *tr) {
+    tr_i_see *see = &tr->see;
+    int32_t bound = 0;
+    if (see->block_uploaded && memcmp(&see->block, &see->uploaded, sizeof see->block) == 0)
+        return;
+    tr->gl.GetIntegerv(TR_I_GL_COPY_WRITE_BUFFER_BINDING, &bound);
+    tr_i_make_see_buffer(tr);
+    tr->gl.BindBuffer(TR_I_GL_COPY_WRITE_BUFFER, see->buffer);
+    tr->gl.BufferSubData(TR_I_GL_COPY_WRITE_BUFFER, 0, (ptrdiff_t)sizeof see->block, &see->block);
+    tr->gl.BindBuffer(TR_I_GL_COPY_WRITE_BUFFER, (tr_i_u)bound);
+    see->uploaded = see->block;
+    see->block_uploaded = 1;
+}
+
+/* For tr_set_material in TR_PASS_SCENE, whose state is the host's: puts the built-in program to use, once a frame makes it
+   and what it reads ready. 0: there is none. */
+static int tr_i_use_in_scene(tr_context *tr, int rule) {
+    if (tr->desc.state == TR_STATE_NONE)
+        return 1;
+    if (tr_i_make_program(tr, rule) != TR_OK)
+        return 0;
+    if (!tr->see.in_use) {
+        tr_i_upload_see_block(tr);
+        tr->gl.BindBufferBase(TR_I_GL_UNIFORM_BUFFER, (tr_i_u)tr->desc.uniform_binding, tr->see.buffer);
+    }
+    tr->see.in_use = 1;
+    tr->gl.UseProgram(tr->programs[rule].name);
+    return 1;
+}
+
+/* That there is a target, and with TR_STATE_NONE nothing. */
+static tr_result tr_i_check_see_target(tr_context *tr) {
+    int32_t bound = 0;
+    int multisampled;
+    tr_result result;
+    if (tr->desc.state == TR_STATE_NONE)
+        return TR_OK;
+    tr->gl.GetIntegerv(TR_I_GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+    result = tr_i_check_target(tr, &multisampled);
+    tr->gl.BindFramebuffer(TR_I_GL_DRAW_FRAMEBUFFER, (tr_i_u)bound);
+    return result;
+}
+
+/* Everything that a frame needs. The state is as found afterwards: the scene may come first. */
+static tr_result tr_i_prepare_see(tr_context *tr) {
+    tr_result result;
+    if (tr->see.plan.see == TR_SEE_OFF && tr->desc.state != TR_STATE_NONE)
+        return TR_OK;
+    result = tr_i_check_see_target(tr);
+    if (result == TR_OK && tr_i_see_lacks(tr)) {
+        tr_i_save(tr, &tr->saved);
+        result = tr_i_see_work(tr);
+        tr_i_restore(tr, &tr->saved);
+    }
+    if (result == TR_OK)
+        tr_i_upload_see_block(tr);
+    return result;
+}
+
+/* ---- dynamic transparency: a frame of a sequence ---- */
+
 /* ---- dynamic transparency: a frame of a sequence ---- */
 
 /* A copy of the uniform block for each run of masks. */
@@ -6989,14 +7820,13 @@ static int tr_i_step_program(const tr_i_sequence *seq, const tr_i_step *step) {
 
 static int tr_i_seq_needs_work(const tr_context *tr) {
     const tr_i_sequence *seq = &tr->seq;
+    const tr_i_step *steps = (const tr_i_step *)seq->steps.items;
     uint32_t needs = tr_i_seq_needs(seq);
     size_t i;
-    if (tr_i_seq_misfits(tr) || (needs & ~tr_i_seq_held(seq)) || !tr->vertex_array ||
-        seq->buffer_size < seq->blocks.count * TR_I_SEQ_STRIDE)
+    if (tr_i_seq_misfits(tr) || (needs & ~tr_i_seq_held(seq)) || !tr->vertex_array)
         return 1;
     for (i = 0; i < seq->steps.count; ++i)
-        if (((const tr_i_step *)seq->steps.items)[i].kind != (uint8_t)TR_PASS_SCENE &&
-            !tr->programs[tr_i_step_program(seq, (const tr_i_step *)seq->steps.items + i)].name)
+        if (steps[i].kind != (uint8_t)TR_PASS_SCENE && !tr->programs[tr_i_step_program(seq, &steps[i])].name)
             return 1;
     return 0;
 }
@@ -7004,30 +7834,29 @@ static int tr_i_seq_needs_work(const tr_context *tr) {
 static void tr_i_upload_blocks(tr_context *tr) {
     tr_i_sequence *seq = &tr->seq;
     size_t size = seq->blocks.count * TR_I_SEQ_STRIDE;
+    int32_t bound = 0;
     if (!seq->buffer)
         tr->gl.GenBuffers(1, &seq->buffer);
+    tr->gl.GetIntegerv(TR_I_GL_COPY_WRITE_BUFFER_BINDING, &bound);
     tr->gl.BindBuffer(TR_I_GL_COPY_WRITE_BUFFER, seq->buffer);
     if (seq->buffer_size < size) {
         seq->buffer_size = size + size / 4 / TR_I_SEQ_STRIDE * TR_I_SEQ_STRIDE;
         tr->gl.BufferData(TR_I_GL_COPY_WRITE_BUFFER, (ptrdiff_t)seq->buffer_size, 0, TR_I_GL_DYNAMIC_DRAW);
     }
     tr->gl.BufferSubData(TR_I_GL_COPY_WRITE_BUFFER, 0, (ptrdiff_t)size, seq->blocks.items);
+    tr->gl.BindBuffer(TR_I_GL_COPY_WRITE_BUFFER, (tr_i_u)bound);
 }
 
 static tr_result tr_i_seq_work(tr_context *tr) {
-    tr_i_sequence *seq = &tr->seq;
-    tr_result result = TR_OK;
+    const tr_i_sequence *seq = &tr->seq;
+    const tr_i_step *steps = (const tr_i_step *)seq->steps.items;
+    tr_result result = tr_i_make_seq_textures(tr);
     size_t i;
-    if (tr_i_seq_needs_work(tr)) {
-        result = tr_i_make_seq_textures(tr);
-        for (i = 0; i < seq->steps.count && result == TR_OK; ++i)
-            if (((const tr_i_step *)seq->steps.items)[i].kind != (uint8_t)TR_PASS_SCENE)
-                result = tr_i_make_program(tr, tr_i_step_program(seq, (const tr_i_step *)seq->steps.items + i));
-        if (!tr->vertex_array)
-            tr->gl.GenVertexArrays(1, &tr->vertex_array);
-    }
-    if (result == TR_OK)
-        tr_i_upload_blocks(tr);
+    for (i = 0; i < seq->steps.count && result == TR_OK; ++i)
+        if (steps[i].kind != (uint8_t)TR_PASS_SCENE)
+            result = tr_i_make_program(tr, tr_i_step_program(seq, &steps[i]));
+    if (!tr->vertex_array)
+        tr->gl.GenVertexArrays(1, &tr->vertex_array);
     return result;
 }
 
@@ -7043,16 +7872,6 @@ static void tr_i_take_wishes(tr_context *tr, const tr_dynamic *dynamic) {
     seq->divisor = law->divisor;
     seq->reach = law->reach;
     seq->grow = law->reach + 2 * law->divisor;
-}
-
-/* Puts state back as the policy has it; the host draws its scene between our passes. */
-static void tr_i_leave(tr_context *tr) {
-    if (tr->desc.state == TR_STATE_RESTORE) {
-        tr_i_restore(tr, &tr->saved);
-    } else if (tr->desc.state == TR_STATE_LEAVE_DEFAULTS) {
-        tr_i_save_defaults(&tr->saved);
-        tr_i_restore(tr, &tr->saved);
-    }
 }
 
 /* Adds to the line of a kind of pass in the plan. */
@@ -7092,6 +7911,7 @@ static void tr_i_plan_sequence(tr_context *tr, const tr_dynamic *dynamic) {
     tr_see_plan *plan = &tr->see.plan;
     size_t i;
     plan->pass_count = 0;
+    plan->bytes = 0;
     plan->masks = seq->pending;
     if (seq->blocks.count == 0) {
         tr_i_plan_plain(&tr->see, plan->targets_in_view ? "nothing that yields is painted over a target"
@@ -7118,34 +7938,250 @@ static tr_result tr_i_arrange_sequence(tr_context *tr, const tr_frame *frame, co
     tr_i_arrange_units(tr, dynamic, size);
     tr_i_add_blocks(tr, frame, dynamic);
     tr_i_add_steps(tr, dynamic);
-    return seq->no_memory ? tr_i_fail(&tr->desc, TR_OUT_OF_MEMORY, "dynamic.units") : TR_OK;
+    if (seq->no_memory)
+        return tr_i_fail(&tr->desc, TR_OUT_OF_MEMORY, "dynamic.units");
+    tr_i_plan_sequence(tr, dynamic);
+    return TR_OK;
 }
 
-/* After tr_i_plan_see, which has placed the units. */
+/* After tr_i_plan_see, which has placed the units. The state is as found afterwards: the scene comes first. */
 static tr_result tr_i_begin_sequence(tr_context *tr, const tr_frame *frame, const tr_dynamic *dynamic) {
     tr_i_sequence *seq = &tr->seq;
-    int multisampled = 0, none = tr->desc.state == TR_STATE_NONE;
-    tr_result result;
-    if (frame->width == 0 || frame->height == 0)
-        return TR_OK;
-    result = tr_i_arrange_sequence(tr, frame, dynamic);
-    if (result != TR_OK)
-        return result;
-    tr_i_plan_sequence(tr, dynamic);
-    if (tr->see.plan.see == TR_SEE_OFF)
-        return TR_OK;
-    tr_i_save(tr, &tr->saved);
-    if (!none)
-        result = tr_i_check_target(tr, &multisampled);
-    if (result == TR_OK)
-        result = tr_i_seq_work(tr);
+    tr_result result = TR_OK;
     seq->step = 0;
-    seq->dirty = !none;
-    if (none || result != TR_OK)
+    if (frame->width > 0 && frame->height > 0)
+        result = tr_i_arrange_sequence(tr, frame, dynamic);
+    if (result != TR_OK || tr->see.plan.see == TR_SEE_OFF)
+        return result;
+    result = tr_i_check_see_target(tr);
+    if (result == TR_OK && tr_i_seq_needs_work(tr)) {
+        tr_i_save(tr, &tr->saved);
+        result = tr_i_seq_work(tr);
         tr_i_restore(tr, &tr->saved);
-    tr->see.plan.bytes = tr_i_seq_bytes(seq, tr_i_seq_needs(seq)); /* floats may have turned out not to be had */
+        tr->see.plan.bytes = tr_i_seq_bytes(seq, tr_i_seq_needs(seq)); /* floats may have turned out not to be had */
+    }
+    if (result == TR_OK)
+        tr_i_upload_blocks(tr);
     return result;
 }
+
+TR_I_API tr_result tr_begin_dynamic(tr_context *tr, const tr_frame *frame, const tr_dynamic *dynamic) {
+    tr_frame used;
+    tr_result result;
+    if (!tr || !frame || !dynamic)
+        return TR_INVALID_ARGUMENT;
+    if (tr->in_frame)
+        return tr_i_fail(&tr->desc, TR_WRONG_ORDER, "tr_begin_dynamic");
+    used = tr_i_dynamic_frame(frame);
+    result = tr_i_check_dynamic(tr, &used, dynamic);
+    if (result == TR_OK)
+        result = tr_i_fit_units(tr, dynamic->unit_count);
+    if (result != TR_OK)
+        return result;
+    tr->frame = used;
+    tr->seq.active = tr_i_is_sequence(dynamic->see);
+    tr_i_plan_see(&tr->see, dynamic, frame->width, frame->height);
+    tr_i_weigh_see(tr);
+    tr_i_fill_see_block(tr, dynamic);
+    tr->see.step = 0;
+    tr->see.active = 1;
+    tr->see.in_use = 0;
+    tr->see.entered = TR_I_OUTSIDE;
+    result = tr->seq.active ? tr_i_begin_sequence(tr, &used, dynamic) : tr_i_prepare_see(tr);
+    tr->in_frame = result == TR_OK;
+    return result;
+}
+
+/* Textures that a pass reads, on units that hold two-dimensional ones. */
+static void tr_i_fill_see_textures(const tr_i_see *see, tr_pass_kind kind, tr_state *state) {
+    const tr_i_u *from = see->textures;
+    tr_i_u *depth = &state->textures[TR_I_SCENE_DEPTH], *mask = &state->textures[TR_I_OPAQUE_COLOR];
+    tr_i_u *third = &state->textures[TR_I_MARK], *fourth = &state->textures[TR_I_CROSSINGS];
+    switch (kind) {
+    case TR_PASS_SPREAD_X:
+    case TR_PASS_SPREAD_Y:
+    case TR_PASS_FINISH:
+        *depth = from[TR_I_SEE_DEPTH];
+        *mask = from[TR_I_SEE_MARK];
+        *third = kind == TR_PASS_SPREAD_X ? 0 : from[kind == TR_PASS_SPREAD_Y ? TR_I_SEE_ROWS : TR_I_SEE_LOW];
+        *fourth = kind == TR_PASS_FINISH ? from[TR_I_SEE_LOW_DEPTH] : 0;
+        break;
+    case TR_PASS_PRIME:
+        *mask = from[TR_I_SEE_MASK];
+        break;
+    case TR_PASS_QUERY:
+        *mask = from[TR_I_SEE_MARK];
+        break;
+    case TR_PASS_SCENE: /* with holes */
+    case TR_PASS_BEHIND:
+    case TR_PASS_HIDES:
+    case TR_PASS_COMPOSE_MASK:
+        *depth = from[TR_I_SEE_MASK_DEPTH];
+        *mask = from[TR_I_SEE_MASK];
+        if (kind == TR_PASS_COMPOSE_MASK) {
+            *third = from[TR_I_SEE_BEHIND];
+            *fourth = see->partial ? from[TR_I_SEE_YIELD] : 0;
+        }
+        break;
+    default:
+        break;
+    }
+}
+
+/* Viewport, and scissor to where masks are, of a framebuffer of ours. */
+static void tr_i_fill_see_extent(const tr_context *tr, int fbo, tr_state *state) {
+    const tr_i_see *see = &tr->see;
+    const int *box = see->plan.rectangle;
+    tr_i_see_format format;
+    int attached[2], across, up;
+    tr_i_see_attached(fbo, attached);
+    format = tr_i_see_format_of(attached[0], 0);
+    across = format.across == 0 ? 1 : format.across == 1 ? see->divisor : 4;
+    up = format.up == 0 ? 1 : format.up == 1 ? see->divisor : 4;
+    tr_i_see_size(&format, see->width, see->height, see->divisor, &state->viewport[2]);
+    /* A whole scene reads the mask wherever it draws; texels of queries are not aligned with cells. */
+    if ((fbo == TR_I_SEE_FBO_MASK && see->plan.see == TR_SEE_DITHER) || fbo == TR_I_SEE_FBO_QUERY)
+        return;
+    state->scissor[0] = box[0] / across;
+    state->scissor[1] = box[1] / up;
+    state->scissor[2] = (box[0] + box[2] + across - 1) / across - state->scissor[0];
+    state->scissor[3] = (box[1] + box[3] + up - 1) / up - state->scissor[1];
+}
+
+static void tr_i_fill_see_bindings(const tr_context *tr, int index, tr_state *state) {
+    const tr_i_see *see = &tr->see;
+    const tr_see_pass *pass = &see->plan.passes[index];
+    int fbo = tr_i_see_fbo_of(&see->plan, index), i;
+    state->framebuffer = fbo >= 0 ? see->fbos[fbo] : tr->frame.framebuffer;
+    if (fbo >= 0) {
+        tr_i_fill_see_extent(tr, fbo, state);
+    } else {
+        state->viewport[0] = tr->frame.x;
+        state->viewport[1] = tr->frame.y;
+        state->viewport[2] = tr->frame.width;
+        state->viewport[3] = tr->frame.height;
+    }
+    state->program = tr->programs[tr_i_see_program(tr, pass)].name;
+    state->first_texture_unit = tr->desc.first_texture_unit;
+    for (i = 0; i < TR_TEXTURE_UNITS; ++i)
+        state->texture_targets[i] = tr_i_targets[i];
+    if (pass->rule != TR_RULE_SEE_PLAIN || pass->kind != TR_PASS_SCENE)
+        tr_i_fill_see_textures(see, pass->kind, state);
+    state->uniform_buffer = see->buffer;
+    state->uniform_binding = tr->desc.uniform_binding;
+    state->uniform_size = (int)sizeof see->block;
+    state->srgb = (tr->frame.wishes.options & TR_WISH_SRGB) != 0;
+    if (!tr_i_see_is_drawn(pass->kind)) {
+        state->vertex_array = tr->vertex_array;
+        state->vertex_count = 6 * see->grid.tile_count;
+    }
+}
+
+static void tr_i_fill_see_tests(const tr_context *tr, int index, tr_state *state) {
+    const tr_see_pass *pass = &tr->see.plan.passes[index];
+    int reversed = tr->desc.reversed_z, drawn = tr_i_see_is_drawn(pass->kind);
+    state->depth_test = state->depth_write = state->color_write = 1;
+    state->depth_func = !drawn ? TR_I_GL_ALWAYS : reversed ? TR_I_GL_GREATER : TR_I_GL_LESS;
+    state->clear_depth_value = reversed ? 0.0f : 1.0f;
+    state->blend_source = state->blend_source_alpha = TR_I_GL_ONE;
+    state->cull_face = drawn ? TR_I_GL_BACK : 0;
+    state->front_face = tr->desc.front_face_cw ? TR_I_GL_CW : TR_I_GL_CCW;
+    switch (pass->kind) {
+    case TR_PASS_BLOCK:
+        state->color_write = 0;
+        state->clear_depth = 1;
+        break;
+    case TR_PASS_TARGETS: /* before what coincides with it */
+        state->depth_func = reversed ? TR_I_GL_GEQUAL : TR_I_GL_LEQUAL;
+        state->clear_depth = index == 0 || tr->see.plan.passes[index - 1].kind != TR_PASS_BLOCK;
+        state->clear_color = 1;
+        break;
+    case TR_PASS_SPREAD_X:
+        state->clear_color = 1;
+        state->depth_test = state->depth_write = 0;
+        break;
+    case TR_PASS_SPREAD_Y:
+    case TR_PASS_FINISH: /* no mask */
+        state->clear_color = 1;
+        state->clear_color_value[0] = 1.0f;
+        break;
+    case TR_PASS_PRIME: /* nothing is nearer */
+        state->clear_depth = 1;
+        state->clear_depth_value = reversed ? 1.0f : 0.0f;
+        break;
+    case TR_PASS_COMPOSE_MASK:
+        state->depth_func = reversed ? TR_I_GL_LESS : TR_I_GL_GREATER;
+        state->depth_write = 0;
+        state->blend = 1;
+        state->blend_source = TR_I_GL_SRC_ALPHA;
+        state->blend_destination = TR_I_GL_ONE_MINUS_SRC_ALPHA;
+        state->blend_source_alpha = TR_I_GL_ZERO;
+        state->blend_destination_alpha = TR_I_GL_ONE;
+        break;
+    case TR_PASS_QUERY:
+    case TR_PASS_HIDES:
+        state->clear_color = pass->kind == TR_PASS_QUERY;
+        state->depth_test = state->depth_write = 0;
+        state->blend = pass->kind == TR_PASS_HIDES; /* added to the id that is there */
+        state->blend_destination = state->blend_destination_alpha = TR_I_GL_ONE;
+        break;
+    default:
+        break;
+    }
+}
+
+/* Before the host draws its scene after passes of ours: its own state, but for what the scene's shaders read. */
+static void tr_i_leave_to_host(tr_context *tr, const tr_state *state) {
+    tr_i_snapshot saved = tr->saved;
+    int32_t active = 0, buffer = 0;
+    if (tr->desc.state == TR_STATE_LEAVE_DEFAULTS)
+        tr_i_save_defaults(&saved);
+    if (tr->desc.state != TR_STATE_LEAVE_DIRTY)
+        tr_i_restore(tr, &saved);
+    tr->gl.GetIntegerv(TR_I_GL_ACTIVE_TEXTURE, &active);
+    tr->gl.GetIntegerv(TR_I_GL_UNIFORM_BUFFER_BINDING, &buffer);
+    tr_i_bind_textures(tr, state);
+    tr->gl.BindBufferRange(TR_I_GL_UNIFORM_BUFFER, (tr_i_u)state->uniform_binding, state->uniform_buffer,
+                           state->uniform_offset, state->uniform_size);
+    tr->gl.BindBuffer(TR_I_GL_UNIFORM_BUFFER, (tr_i_u)buffer);
+    tr->gl.ActiveTexture((tr_i_u)active);
+}
+
+/* After it: only that is put back. What the host has set since is its own. */
+static void tr_i_take_from_host(tr_context *tr) {
+    tr_i_snapshot now;
+    if (tr->desc.state == TR_STATE_LEAVE_DIRTY)
+        return;
+    if (tr->desc.state == TR_STATE_LEAVE_DEFAULTS)
+        tr_i_save_defaults(&tr->saved);
+    tr_i_save_bindings(tr, &now);
+    memcpy(now.textures, tr->saved.textures, sizeof now.textures);
+    memcpy(now.samplers, tr->saved.samplers, sizeof now.samplers);
+    now.indexed_buffer = tr->saved.indexed_buffer;
+    now.indexed_start = tr->saved.indexed_start;
+    now.indexed_size = tr->saved.indexed_size;
+    tr_i_restore_bindings(tr, &now);
+}
+
+/* Sets the state of a pass; the scene's is the host's own. */
+static void tr_i_apply_see(tr_context *tr, const tr_pass *pass) {
+    tr_i_see *see = &tr->see;
+    if (tr->desc.state == TR_STATE_NONE)
+        return;
+    if (pass->kind == TR_PASS_SCENE) {
+        if (see->entered == TR_I_INSIDE) {
+            tr_i_leave_to_host(tr, &pass->state);
+            see->entered = TR_I_LENT;
+        }
+        return;
+    }
+    if (see->entered == TR_I_OUTSIDE)
+        tr_i_save(tr, &tr->saved);
+    see->entered = TR_I_INSIDE;
+    tr_i_apply(tr, &pass->state);
+}
+
+/* ---- dynamic transparency: the passes of a sequence ---- */
 
 /* Textures that a pass reads, on the units of their kind. */
 static void tr_i_bind_step(const tr_i_sequence *seq, const tr_i_step *step, tr_state *state) {
@@ -7317,86 +8353,48 @@ static int tr_i_next_step(tr_context *tr, tr_pass *pass) {
     tr_i_sequence *seq = &tr->seq;
     while (seq->step < seq->steps.count) {
         tr_i_fill_step(tr, (const tr_i_step *)seq->steps.items + seq->step++, pass);
-        if (tr->desc.state == TR_STATE_NONE)
-            return 1;
-        if (pass->kind == TR_PASS_SCENE) {
-            if (seq->dirty)
-                tr_i_leave(tr);
-            return 1;
-        }
-        tr_i_apply(tr, &pass->state);
-        if (pass->state.vertex_count == 0)
+        tr_i_apply_see(tr, pass);
+        if (tr->desc.state == TR_STATE_NONE || pass->state.vertex_count == 0)
             return 1;
         tr_i_draw_triangle(tr, &pass->state);
     }
     return 0;
 }
 
-/* ---- dynamic transparency: the sequence ------------------------------------------------------------------------- */
-
-static tr_result tr_i_check_dynamic(const tr_context *tr, const tr_frame *frame, const tr_dynamic *dynamic) {
-    const char *wrong = tr_i_check_law(dynamic);
-    if (!wrong)
-        wrong = tr_i_check_rung(dynamic);
-    if (!wrong)
-        wrong = tr_i_check_lights(dynamic);
-    if (!wrong)
-        wrong = tr_i_check_units(dynamic);
-    if (wrong)
-        return tr_i_fail(&tr->desc, TR_INVALID_ARGUMENT, wrong);
-    return tr_i_check_frame(tr, frame);
-}
-
-/* What of a frame is looked at. */
-static tr_frame tr_i_dynamic_frame(const tr_frame *frame) {
-    tr_frame used = *frame;
-    memset(&used.scene, 0, sizeof used.scene);
-    memset(&used.wishes, 0, sizeof used.wishes);
-    used.wishes.options = frame->wishes.options & TR_WISH_SRGB;
-    used.enter_distance = used.group_distance = 0.0f;
-    return used;
-}
-
-TR_I_API tr_result tr_begin_dynamic(tr_context *tr, const tr_frame *frame, const tr_dynamic *dynamic) {
-    tr_frame used;
-    tr_result result;
-    if (!tr || !frame || !dynamic)
-        return TR_INVALID_ARGUMENT;
-    if (tr->in_frame)
-        return tr_i_fail(&tr->desc, TR_WRONG_ORDER, "tr_begin_dynamic");
-    used = tr_i_dynamic_frame(frame);
-    result = tr_i_check_dynamic(tr, &used, dynamic);
-    if (result == TR_OK)
-        result = tr_i_fit_units(tr, dynamic->unit_count);
-    if (result != TR_OK)
-        return result;
-    tr_i_plan_see(&tr->see, dynamic, frame->width, frame->height);
-    tr->frame = used;
-    tr->seq.active = tr_i_is_sequence(dynamic->see);
-    if (tr->seq.active)
-        result = tr_i_begin_sequence(tr, &used, dynamic);
-    if (result != TR_OK)
-        return result;
-    tr->see.step = 0;
-    tr->see.active = 1;
-    tr->in_frame = 1;
-    return TR_OK;
-}
+/* ---- dynamic transparency: the passes of all rungs ---- */
 
 static int tr_i_next_see_pass(tr_context *tr, tr_pass *pass) {
-    const tr_see_pass *planned;
-    if (tr->seq.active && tr->see.plan.see != TR_SEE_OFF)
+    tr_i_see *see = &tr->see;
+    if (tr->seq.active && see->plan.see != TR_SEE_OFF)
         return tr_i_next_step(tr, pass);
-    if (tr->see.step >= tr->see.plan.pass_count)
-        return 0;
-    planned = &tr->see.plan.passes[tr->see.step++];
-    memset(pass, 0, sizeof *pass);
-    pass->kind = planned->kind;
-    pass->rule = planned->rule;
-    pass->name = tr_pass_kind_name(planned->kind);
-    pass->units = tr->see.lists[TR_I_UNITS_ALL];
-    pass->unit_count = planned->unit_count;
-    return 1;
+    while (see->step < see->plan.pass_count) {
+        int index = see->step++;
+        const tr_see_pass *planned = &see->plan.passes[index];
+        memset(pass, 0, sizeof *pass);
+        pass->kind = planned->kind;
+        pass->rule = planned->rule;
+        pass->name = tr_pass_kind_name(planned->kind);
+        pass->units = tr_i_see_units(see, planned->kind);
+        pass->unit_count = planned->unit_count;
+        tr_i_fill_see_bindings(tr, index, &pass->state);
+        tr_i_fill_see_tests(tr, index, &pass->state);
+        tr_i_apply_see(tr, pass);
+        if (tr->desc.state == TR_STATE_NONE || pass->state.vertex_count == 0)
+            return 1;
+        tr_i_draw_triangle(tr, &pass->state);
+    }
+    return 0;
+}
+
+/* Ends a frame of dynamic transparency. */
+static void tr_i_end_see(tr_context *tr) {
+    if (tr->see.entered == TR_I_LENT)
+        tr_i_take_from_host(tr);
+    if (tr->see.entered != TR_I_INSIDE || tr->desc.state == TR_STATE_LEAVE_DIRTY)
+        return;
+    if (tr->desc.state == TR_STATE_LEAVE_DEFAULTS)
+        tr_i_save_defaults(&tr->saved);
+    tr_i_restore(tr, &tr->saved);
 }
 
 TR_I_API tr_result tr_query_hidden(tr_context *tr, tr_hidden *out, size_t capacity, size_t *count) {
@@ -7466,10 +8464,12 @@ static void tr_i_set_edge_uniforms(const tr_context *tr, const tr_i_program *pro
 TR_I_API void tr_set_material(tr_context *tr, const tr_pass *pass, const tr_material *material) {
     const tr_i_program *program;
     const tr_i_gl *gl;
-    if (!tr || !pass || !material || (unsigned)pass->rule >= (unsigned)TR_RULE_COUNT || pass->lines)
+    if (!tr || !pass || !material || (unsigned)pass->rule >= (unsigned)TR_RULE_SEE_END || pass->lines)
         return;
     gl = &tr->gl;
     program = &tr->programs[tr_i_surface_program(tr, (int)pass->rule)];
+    if (pass->kind == TR_PASS_SCENE && !tr_i_use_in_scene(tr, (int)pass->rule))
+        return;
     gl->UniformMatrix4fv(program->model_view_projection, 1, 0, material->model_view_projection);
     if (program->normal_matrix >= 0)
         gl->UniformMatrix3fv(program->normal_matrix, 1, 0, material->normal_matrix);
@@ -7616,7 +8616,11 @@ TR_I_API tr_result tr_end(tr_context *tr) {
     if (!tr->in_frame)
         return tr_i_fail(&tr->desc, TR_WRONG_ORDER, "tr_end");
     tr->in_frame = 0;
-    if (tr->see.active ? tr->see.plan.see == TR_SEE_OFF : tr->plan.pass_count == 0)
+    if (tr->see.active) {
+        tr_i_end_see(tr);
+        return TR_OK;
+    }
+    if (tr->plan.pass_count == 0)
         return TR_OK;
     if (tr->desc.state == TR_STATE_RESTORE) {
         tr_i_restore(tr, &tr->saved);

@@ -5,7 +5,7 @@ struct tr_mask {
     highp vec4 box; // x0, y0, x1, y1 in pixels of the viewport, x1 and y1 outside; the mask lies well within
     highp vec4 law; // x: strength, 1 less what has faded, y: 1: opens in lights only, z: importance
 };
-layout(std140) uniform tr_sequence
+layout(std140) uniform tr_frame
 {
     highp vec4 tr_light; // of built-in shading, as in frame_block.glsl
     highp vec4 tr_cool;

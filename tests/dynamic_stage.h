@@ -260,9 +260,9 @@ static inline GLuint stage_program(harness *h, tr_rule rule) {
     if (rule == TR_RULE_SEE_PLAIN)
         counts[1] = h->context.es ? 2 : 1; /* the version, and precision */
     GLuint program = glCreateProgram();
-    GLuint parts[2] = {stage_shader(GL_VERTEX_SHADER, strings[0], counts[0], vertex),
-                       stage_shader(GL_FRAGMENT_SHADER, strings[1], counts[1],
-                                    rule == TR_RULE_SEE_PLAIN ? plain : fragment)};
+    GLuint parts[2] = {
+        stage_shader(GL_VERTEX_SHADER, strings[0], counts[0], vertex),
+        stage_shader(GL_FRAGMENT_SHADER, strings[1], counts[1], rule == TR_RULE_SEE_PLAIN ? plain : fragment)};
     for (int i = 0; i < 2; ++i) {
         glAttachShader(program, parts[i]);
         glDeleteShader(parts[i]);

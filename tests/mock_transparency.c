@@ -162,6 +162,8 @@ FAKE(LinkProgram, (U a), (void)a;)
 FAKE(PolygonMode, (U a, U b), (void)a; (void)b;)
 FAKE(PixelStorei, (U a, I b), (void)a; (void)b;)
 FAKE(ReadBuffer, (U a), (void)a;)
+FAKE(Scissor, (I a, I b, I c, I d), (void)a; (void)b; (void)c; (void)d;)
+FAKE(ScissorIndexed, (U a, I b, I c, I d, I e), (void)a; (void)b; (void)c; (void)d; (void)e;)
 FAKE(ShaderSource, (U a, I b, const char *const *c, const I *d), (void)a; (void)b; (void)c; (void)d;)
 FAKE(TexImage2D, (U a, I b, I c, I d, I e, I f, U g, U h, const void *i), (void)a; (void)b; (void)c; (void)d; (void)e;
      (void)f; (void)g; (void)h; (void)i;)
@@ -1280,14 +1282,14 @@ static void test_strings(void **state) {
     reset_driver();
     tr_context *tr = tr_create(&desc, NULL);
     for (int stage = 0; stage < TR_STAGE_COUNT; ++stage)
-        for (int rule = 0; rule < TR_RULE_COUNT; ++rule) {
+        for (int rule = 0; rule < TR_RULE_SEE_END; ++rule) {
             const char *const *strings = tr_glsl(tr, (tr_stage)stage, (tr_rule)rule, &count);
             assert_non_null(strings);
             assert_true(count > 2 && count < TR_I_MAX_STRINGS);
             assert_non_null(strstr(strings[0], "#version 330 core"));
         }
     assert_null(tr_glsl(tr, TR_STAGE_COUNT, TR_RULE_FRONT, &count));
-    assert_null(tr_glsl(tr, TR_VERTEX, TR_RULE_COUNT, &count));
+    assert_null(tr_glsl(tr, TR_VERTEX, TR_RULE_SEE_END, &count));
     assert_null(tr_glsl(NULL, TR_VERTEX, TR_RULE_FRONT, &count));
     for (int i = 0; i < TR_RESULT_COUNT; ++i)
         assert_true(strlen(tr_result_string((tr_result)i)) > 5);

@@ -40,9 +40,12 @@ static bool dump(const char *folder, const char *name, int version, bool reverse
 }
 
 /* What a host would add to tr_glsl(). */
-static const char *host_main(tr_stage stage) {
-    return stage == TR_VERTEX ? "in vec3 position;\nvoid main()\n{\n    gl_Position = vec4(position, 1.0);\n}\n"
-                              : "void main()\n{\n    tr_surface(vec4(0.5), 7u);\n}\n";
+static const char *host_main(tr_stage stage, int rule) {
+    if (stage == TR_VERTEX)
+        return "in vec3 position;\nvoid main()\n{\n    gl_Position = vec4(position, 1.0);\n}\n";
+    return rule < TR_RULE_COUNT ? "void main()\n{\n    tr_surface(vec4(0.5), 7u);\n}\n"
+                                : "layout(location = 0) out highp vec4 seen;\nvoid main()\n{\n    highp vec4 color = "
+                                  "vec4(0.5);\n    tr_see_through(color, 7u);\n    seen = color;\n}\n";
 }
 
 /* Compositions, lines and what takes opaque things: each switch in turn, on the plainest variant and on the fullest. */
@@ -87,10 +90,11 @@ static bool dump_version(const char *folder, int version, bool reversed) {
             snprintf(name, sizeof name, "tr_program_%03d", program);
             ok = ok && dump(folder, name, version, reversed, (tr_stage)stage, &source, "");
         }
-        for (int rule = 0; rule < TR_RULE_COUNT; ++rule) {
+        for (int rule = 0; rule < TR_RULE_SEE_END; ++rule) {
             tr_i_host_source(&source, (tr_stage)stage, rule, es, reversed);
             snprintf(name, sizeof name, "tr_host_%d", rule);
-            ok = ok && dump(folder, name, version, reversed, (tr_stage)stage, &source, host_main((tr_stage)stage));
+            ok =
+                ok && dump(folder, name, version, reversed, (tr_stage)stage, &source, host_main((tr_stage)stage, rule));
         }
     }
     return ok;
