@@ -1892,7 +1892,8 @@ static const char *const tr_i_shader_seq_block_glsl[] = {
     "    highp vec4 tr_seq_background;\n"
     "    highp ivec4 tr_seq_view;     // the viewport: x, y, width, height\n"
     "    highp ivec4 tr_seq_numbers;  // x: divisor, y: how far a mask reaches, in pixels, z: layer control, 0: none, w: lights\n"
-    "    highp ivec4 tr_seq_step;     // x: which layer a pass peels or keeps; y: 1: masks multiply; z: 1: whole masks cut targets\n"
+    "    highp ivec4 tr_seq_step;     // x: which layer a pass peels or keeps; y: 1: masks multiply,\n"
+    "                                 // z: 1: whole masks cut targets, w: 1: units are painted into a target of our own\n"
     "    highp vec4 tr_seq_lights[8]; // x, y, radius, edge in pixels of the viewport\n"
     "    tr_mask tr_masks[64];\n"
     "};\n"
@@ -2171,7 +2172,7 @@ static const char *const tr_i_shader_seq_units_glsl[] = {
     "highp float tr_opacity_of(highp uint code)\n"
     "{\n"
     "    highp float keeps = tr_code_keeps(code);\n"
-    "    ivec2 pixel = ivec2(gl_FragCoord.xy) - tr_seq_view.xy;\n"
+    "    ivec2 pixel = ivec2(gl_FragCoord.xy) - (tr_seq_step.w != 0 ? ivec2(0) : tr_seq_view.xy);\n"
     "    if (keeps >= 1.0)\n"
     "        return 1.0;\n"
     "    highp vec2 alphas = texelFetch(tr_mask_alphas, pixel, 0).rg;\n"
@@ -3098,10 +3099,10 @@ typedef struct tr_i_sequence {
     int open;         /* 1: the last item may still take units */
     int grow, reach;  /* pixels around a target that its mask's textures cover; that its mask covers */
     int no_memory;
-    int counted, published, product, each, layers, divisor; /* of this frame */
-    int width, height, texture_divisor;                     /* of the textures */
-    int eight_bits;                                         /* 1: float textures cannot be drawn into */
-    int active;                                             /* this frame is of one */
+    int counted, published, product, each, layers; /* of this frame */
+    int extent[3], wanted[3];                      /* width, height, divisor: of the textures; of this frame */
+    int eight_bits;                                /* 1: float textures cannot be drawn into */
+    int active;                                    /* this frame is of one */
     tr_i_u textures[TR_I_SEQ_TEXTURE_COUNT], fbos[TR_I_SEQ_FBO_COUNT], buffer;
     size_t buffer_size;
 } tr_i_sequence;
@@ -4520,7 +4521,8 @@ static void tr_i_arrange_unit(tr_context *tr, const tr_dynamic *dynamic, size_t 
             tr_i_flush_masks(tr, seq);
         tr_i_paint(tr, seq, places, index, (unit.flags & TR_UNIT_HOLLOW) != 0, box);
     }
-    if (tr_i_opens(dynamic, &unit, &places[index], seq->reach) && tr_i_is_covered(seq, dynamic, places, at))
+    if ((unit.flags & TR_UNIT_TARGET) && tr_i_opens(dynamic, &unit, &places[index], seq->reach) &&
+        tr_i_is_covered(seq, dynamic, places, at))
         tr_i_add_mask(tr, seq, &unit, index, box, size);
 }
 
@@ -5917,10 +5919,11 @@ static tr_i_format tr_i_seq_format(const tr_i_sequence *seq, int texture) {
     }
 }
 
-static void tr_i_seq_size(const tr_i_sequence *seq, int texture, int size[2]) {
-    int cell = seq->texture_divisor;
-    size[0] = texture == TR_I_SEQ_ROWS || texture == TR_I_SEQ_NEAREST ? (seq->width + cell - 1) / cell : seq->width;
-    size[1] = texture == TR_I_SEQ_NEAREST ? (seq->height + cell - 1) / cell : seq->height;
+/* Of a viewport's size and a divisor, as textures have them. */
+static void tr_i_seq_size(int texture, const int extent[3], int size[2]) {
+    int cell = extent[2];
+    size[0] = texture == TR_I_SEQ_ROWS || texture == TR_I_SEQ_NEAREST ? (extent[0] + cell - 1) / cell : extent[0];
+    size[1] = texture == TR_I_SEQ_NEAREST ? (extent[1] + cell - 1) / cell : extent[1];
 }
 
 /* Bits of the textures that the steps of this frame need. */
@@ -5934,13 +5937,14 @@ static uint32_t tr_i_seq_needs(const tr_i_sequence *seq) {
     return needs;
 }
 
-static uint64_t tr_i_seq_bytes(const tr_i_sequence *seq, uint32_t textures) {
+static uint64_t tr_i_seq_bytes(const tr_i_sequence *seq, uint32_t textures, const int extent[3]) {
     uint64_t bytes = 0;
     int i, size[2];
     for (i = 0; i < TR_I_SEQ_TEXTURE_COUNT; ++i) {
-        tr_i_seq_size(seq, i, size);
-        if (textures >> i & 1u)
-            bytes += (uint64_t)size[0] * (uint64_t)size[1] * tr_i_seq_format(seq, i).bytes;
+        if (!(textures >> i & 1u))
+            continue;
+        tr_i_seq_size(i, extent, size);
+        bytes += (uint64_t)size[0] * (uint64_t)size[1] * tr_i_seq_format(seq, i).bytes;
     }
     return bytes;
 }
@@ -5956,7 +5960,7 @@ static uint32_t tr_i_seq_held(const tr_i_sequence *seq) {
 static void tr_i_drop_seq_textures(tr_context *tr) {
     tr_i_delete_framebuffers(tr, TR_I_SEQ_FBO_COUNT, tr->seq.fbos);
     tr_i_delete_textures(tr, TR_I_SEQ_TEXTURE_COUNT, tr->seq.textures);
-    tr->seq.width = tr->seq.height = 0;
+    memset(tr->seq.extent, 0, sizeof tr->seq.extent);
 }
 
 static void tr_i_drop_array(tr_context *tr, tr_i_array *array) {
@@ -5992,7 +5996,7 @@ static void tr_i_make_seq_texture(tr_context *tr, int index) {
     const tr_i_gl *gl = &tr->gl;
     tr_i_format format = tr_i_seq_format(&tr->seq, index);
     int size[2];
-    tr_i_seq_size(&tr->seq, index, size);
+    tr_i_seq_size(index, tr->seq.extent, size);
     gl->ActiveTexture(TR_I_GL_TEXTURE0 + (tr_i_u)(tr->desc.first_texture_unit + TR_I_SCENE_DEPTH));
     gl->GenTextures(1, &tr->seq.textures[index]);
     gl->BindTexture(TR_I_GL_TEXTURE_2D, tr->seq.textures[index]);
@@ -6054,7 +6058,7 @@ static int tr_i_try_seq_textures(tr_context *tr, uint32_t needs) {
 
 static int tr_i_seq_misfits(const tr_context *tr) {
     const tr_i_sequence *seq = &tr->seq;
-    return seq->width != tr->frame.width || seq->height != tr->frame.height || seq->texture_divisor != seq->divisor;
+    return memcmp(seq->extent, seq->wanted, sizeof seq->extent) != 0;
 }
 
 /* Contexts that cannot draw into textures of floats (ES 3.0 without an extension) say so by an incomplete framebuffer. */
@@ -6065,9 +6069,7 @@ static tr_result tr_i_make_seq_textures(tr_context *tr) {
     for (tries = 0; tries < 2; ++tries) {
         if (tr_i_seq_misfits(tr))
             tr_i_drop_seq_textures(tr);
-        seq->width = tr->frame.width;
-        seq->height = tr->frame.height;
-        seq->texture_divisor = seq->divisor;
+        memcpy(seq->extent, seq->wanted, sizeof seq->extent);
         if (tr_i_try_seq_textures(tr, needs))
             return TR_OK;
         tr_i_drop_seq_textures(tr);
@@ -6217,7 +6219,7 @@ TR_I_API tr_info tr_get_info(const tr_context *tr) {
     info.version = tr->version;
     info.plan = &tr->plan;
     info.see_plan = &tr->see.plan;
-    info.bytes = tr_i_see_bytes(tr) + tr_i_seq_bytes(&tr->seq, tr_i_seq_held(&tr->seq));
+    info.bytes = tr_i_see_bytes(tr) + tr_i_seq_bytes(&tr->seq, tr_i_seq_held(&tr->seq), tr->seq.extent);
     if (tr->textures[TR_I_CROSSINGS])
         info.bytes += (uint64_t)tr->slices[TR_I_CROSSINGS] * TR_I_CROSSING_ROW * 16u;
     for (i = 0; i < TR_I_TEXTURE_COUNT; ++i)
@@ -7740,12 +7742,13 @@ static void tr_i_fill_seq_block(const tr_i_sequence *seq, const tr_frame *frame,
     block->view[1] = frame->y;
     block->view[2] = frame->width;
     block->view[3] = frame->height;
-    block->numbers[0] = seq->divisor;
+    block->numbers[0] = seq->wanted[2];
     block->numbers[1] = seq->reach;
     block->numbers[2] = seq->layers;
     block->numbers[3] = (int32_t)dynamic->light_count;
     block->step[1] = seq->product;
     block->step[2] = seq->published;
+    block->step[3] = seq->counted;
     for (i = 0; i < dynamic->light_count; ++i) {
         const tr_light *light = &dynamic->lights[i];
         block->lights[i][0] = light->x;
@@ -7869,13 +7872,15 @@ static void tr_i_take_wishes(tr_context *tr, const tr_dynamic *dynamic) {
     seq->each = seq->published || dynamic->occluders == TR_OCCLUDERS_EACH;
     seq->layers = dynamic->layers;
     seq->counted = !seq->each || seq->layers > 0;
-    seq->divisor = law->divisor;
+    seq->wanted[0] = tr->frame.width;
+    seq->wanted[1] = tr->frame.height;
+    seq->wanted[2] = law->divisor;
     seq->reach = law->reach;
     seq->grow = law->reach + 2 * law->divisor;
 }
 
 /* Adds to the line of a kind of pass in the plan. */
-static void tr_i_plan_step(tr_see_plan *plan, const tr_i_step *step) {
+static void tr_i_plan_step(tr_see_plan *plan, const tr_i_sequence *seq, const tr_i_step *step) {
     static const struct {
         tr_pass_kind kind;
         const char *why;
@@ -7901,7 +7906,7 @@ static void tr_i_plan_step(tr_see_plan *plan, const tr_i_step *step) {
                 pass->why = whys[i].why;
     }
     ++plan->passes[at].times;
-    if (tr_i_seq_program(0, step) < 0)
+    if (tr_i_seq_program(seq, step) < 0)
         plan->passes[at].unit_count += step->count;
 }
 
@@ -7921,9 +7926,9 @@ static void tr_i_plan_sequence(tr_context *tr, const tr_dynamic *dynamic) {
     plan->see = dynamic->see;
     plan->why = seq->eight_bits ? "something that yields is painted over a target; masks of 8 bits"
                                 : "something that yields is painted over a target; masks of floats";
-    plan->bytes = tr_i_seq_bytes(seq, tr_i_seq_needs(seq));
+    plan->bytes = tr_i_seq_bytes(seq, tr_i_seq_needs(seq), seq->wanted);
     for (i = 0; i < seq->steps.count; ++i)
-        tr_i_plan_step(plan, (const tr_i_step *)seq->steps.items + i);
+        tr_i_plan_step(plan, seq, (const tr_i_step *)seq->steps.items + i);
 }
 
 /* Lists and steps; no GL. */
@@ -7958,7 +7963,8 @@ static tr_result tr_i_begin_sequence(tr_context *tr, const tr_frame *frame, cons
         tr_i_save(tr, &tr->saved);
         result = tr_i_seq_work(tr);
         tr_i_restore(tr, &tr->saved);
-        tr->see.plan.bytes = tr_i_seq_bytes(seq, tr_i_seq_needs(seq)); /* floats may have turned out not to be had */
+        tr->see.plan.bytes =
+            tr_i_seq_bytes(seq, tr_i_seq_needs(seq), seq->wanted); /* floats may have turned out not to be had */
     }
     if (result == TR_OK)
         tr_i_upload_blocks(tr);
@@ -8254,7 +8260,7 @@ static void tr_i_place_step(const tr_context *tr, const tr_i_step *step, tr_stat
     state->viewport[3] = tr->frame.height;
     if (fbo >= 0) {
         tr_i_seq_attachments(fbo, attached);
-        tr_i_seq_size(seq, attached[1] >= 0 ? attached[1] : attached[0], size);
+        tr_i_seq_size(attached[1] >= 0 ? attached[1] : attached[0], seq->extent, size);
         state->viewport[2] = size[0];
         state->viewport[3] = size[1];
     }
@@ -8314,6 +8320,7 @@ static void tr_i_test_step(const tr_context *tr, const tr_i_step *step, tr_state
     state->color_write = colors || later || kind == TR_PASS_PAINT_OVER;
     state->depth_test = state->depth_write = !colors;
     state->depth_func = nearer;
+    state->cull_face = step->hollow ? TR_I_GL_BACK : 0; /* of hollow units each face toward the eye counts */
     if (kind == TR_PASS_WIPE || kind == TR_PASS_PAINT_OVER)
         state->depth_func = kind == TR_PASS_WIPE ? TR_I_GL_ALWAYS : reversed ? TR_I_GL_GEQUAL : TR_I_GL_LEQUAL;
     if (later && !step->hollow) {

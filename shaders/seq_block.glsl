@@ -14,7 +14,8 @@ layout(std140) uniform tr_frame
     highp vec4 tr_seq_background;
     highp ivec4 tr_seq_view;     // the viewport: x, y, width, height
     highp ivec4 tr_seq_numbers;  // x: divisor, y: how far a mask reaches, in pixels, z: layer control, 0: none, w: lights
-    highp ivec4 tr_seq_step;     // x: which layer a pass peels or keeps; y: 1: masks multiply; z: 1: whole masks cut targets
+    highp ivec4 tr_seq_step;     // x: which layer a pass peels or keeps; y: 1: masks multiply,
+                                 // z: 1: whole masks cut targets, w: 1: units are painted into a target of our own
     highp vec4 tr_seq_lights[8]; // x, y, radius, edge in pixels of the viewport
     tr_mask tr_masks[64];
 };

@@ -35,7 +35,7 @@ uniform highp sampler2D tr_remaining; // occluders still to be painted, in 255th
 highp float tr_opacity_of(highp uint code)
 {
     highp float keeps = tr_code_keeps(code);
-    ivec2 pixel = ivec2(gl_FragCoord.xy) - tr_seq_view.xy;
+    ivec2 pixel = ivec2(gl_FragCoord.xy) - (tr_seq_step.w != 0 ? ivec2(0) : tr_seq_view.xy);
     if (keeps >= 1.0)
         return 1.0;
     highp vec2 alphas = texelFetch(tr_mask_alphas, pixel, 0).rg;

@@ -26,7 +26,7 @@ typedef struct stage {
     ref_dyn_scene truth;
     tr_dynamic wish; /* what the truth does not say */
     tr_frame frame;
-    GLuint programs[TR_RULE_COUNT];
+    GLuint programs[TR_RULE_SEE_END];
     size_t count;
     int passes[TR_PASS_KIND_COUNT]; /* of the last picture, passes that the host drew; and draws in them */
     int draws[TR_PASS_KIND_COUNT];
@@ -376,8 +376,6 @@ static inline tr_result stage_draw(harness *h, stage *s, bool reversed) {
         glUseProgram(s->programs[pass.rule]);
         ++s->passes[pass.kind];
         for (size_t i = 0; i < pass.unit_count; ++i) {
-            if (!(s->marks[pass.units[i]].flags & REF_DYN_HOLLOW) && pass.kind != TR_PASS_SCENE)
-                glEnable(GL_CULL_FACE);
             stage_draw_unit(s, pass.units[i], s->programs[pass.rule], reversed);
             ++s->draws[pass.kind];
         }
@@ -421,7 +419,7 @@ static inline void stage_clean(stage *s) {
 
 static inline void stage_free(stage *s) {
     stage_clean(s);
-    for (int i = 0; i < TR_RULE_COUNT; ++i)
+    for (int i = 0; i < TR_RULE_SEE_END; ++i)
         if (s->programs[i])
             glDeleteProgram(s->programs[i]);
     free(s->pixels);
