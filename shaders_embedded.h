@@ -1952,7 +1952,7 @@ static const char *const shaders_i_shader_seq_block_glsl[] = {
     "// run of passes (std140, written by tr_begin_dynamic).\n"
     "struct tr_mask {\n"
     "    highp vec4 box; // x0, y0, x1, y1 in pixels of the viewport, x1 and y1 outside; the mask lies well within\n"
-    "    highp vec4 law; // x: strength, 1 less what has faded, y: 1: opens in lights only, z: importance\n"
+    "    highp vec4 law; // x: strength, 1 less what has faded, y: 1: opens in lights only, z: importance, w: the target's id\n"
     "};\n"
     "layout(std140) uniform tr_frame\n"
     "{\n"
@@ -1965,14 +1965,18 @@ static const char *const shaders_i_shader_seq_block_glsl[] = {
     "    highp ivec4 tr_seq_numbers;  // x: divisor, y: how far a mask reaches, in pixels, z: layer control, 0: none, w: lights\n"
     "    highp ivec4 tr_seq_step;     // x: which layer a pass peels or keeps; y: 1: masks multiply,\n"
     "                                 // z: 1: whole masks cut targets, w: 1: units are painted into a target of our own\n"
+    "    highp ivec4 tr_seq_more;     // x: layers peeled in all, y: 1: the last of them is the end, z: 1: something closes masks,\n"
+    "                                 // w: 1: occluders share a mask\n"
     "    highp vec4 tr_seq_lights[8]; // x, y, radius, edge in pixels of the viewport\n"
     "    tr_mask tr_masks[64];\n"
     "};\n"
     "\n"
     "#ifdef TR_REVERSED_Z\n"
     "#define TR_NEARER(a, b) ((a) > (b))\n"
+    "#define TR_NO_REACH 1.0\n"
     "#else\n"
     "#define TR_NEARER(a, b) ((a) < (b))\n"
+    "#define TR_NO_REACH 0.0\n"
     "#endif\n",
     0};
 static const char *const shaders_i_shader_seq_boxes_vert[] = {
@@ -2003,6 +2007,89 @@ static const char *const shaders_i_shader_seq_boxes_vert[] = {
     "    bvec2 far = bvec2(corner == 1 || corner == 2 || corner == 4, corner == 2 || corner == 4 || corner == 5);\n"
     "    highp vec2 at = vec2(far.x ? box.z : box.x, far.y ? box.w : box.y);\n"
     "    gl_Position = vec4(at / size * 2.0 - 1.0, 0.0, 1.0);\n"
+    "}\n",
+    0};
+static const char *const shaders_i_shader_seq_codes_glsl[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// Codes of units: what tr_unit_code makes. Bits 0 to 15: id, 16 to 20: TR_UNIT_*, 24 to 31: importance in 255ths.\n"
+    "#define TR_CODE_TARGET (1u << 16)\n"
+    "#define TR_CODE_CLOSES (10u << 16) // impenetrable or backdrop\n"
+    "#define TR_CODE_HOLLOW (4u << 16)\n",
+    0};
+static const char *const shaders_i_shader_seq_compose_frag[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// The layers of a pixel, front to back, over the background.\n"
+    "uniform highp sampler2D tr_reach;\n"
+    "uniform highp usampler2DArray tr_chain;\n"
+    "uniform highp sampler2DArray tr_layer_color;\n"
+    "uniform highp sampler2DArray tr_layer_alphas; // of four a slice\n"
+    "layout(location = 0) out highp vec4 tr_color;\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    ivec2 pixel = ivec2(gl_FragCoord.xy) - tr_seq_view.xy;\n"
+    "    highp float left = 1.0;\n"
+    "    highp vec3 sum = vec3(0.0);\n"
+    "    if (texelFetch(tr_reach, pixel, 0).r == TR_NO_REACH)\n"
+    "        discard;\n"
+    "    for (int i = 0; i < tr_seq_more.x; ++i) {\n"
+    "        highp uint code = texelFetch(tr_chain, ivec3(pixel, i), 0).r;\n"
+    "        if ((code & TR_LAYER_NONE) != 0u)\n"
+    "            break;\n"
+    "        highp float alpha = texelFetch(tr_layer_alphas, ivec3(pixel, i >> 2), 0)[i & 3];\n"
+    "        sum += left * alpha * texelFetch(tr_layer_color, ivec3(pixel, i), 0).rgb;\n"
+    "        left *= 1.0 - alpha;\n"
+    "        if ((code & TR_LAYER_LAST) != 0u || left <= 0.0)\n"
+    "            break;\n"
+    "    }\n"
+    "    tr_color = vec4(sum + left * tr_seq_background.rgb, 1.0);\n"
+    "}\n",
+    0};
+static const char *const shaders_i_shader_seq_keep_frag[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// After a layer is peeled: whose it is goes where later layers look it up, with whether it ends the pixel.\n"
+    "uniform highp sampler2D tr_reach;\n"
+    "uniform highp usampler2D tr_code;             // of the layer\n"
+    "uniform highp sampler2DArray tr_layer_now;    // its depth\n"
+    "uniform highp sampler2DArray tr_layer_before; // that of the one before\n"
+    "layout(location = 0) out highp uvec4 tr_kept;\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    ivec2 pixel = ivec2(gl_FragCoord.xy);\n"
+    "    int layer = tr_seq_step.x;\n"
+    "    highp float reach = texelFetch(tr_reach, pixel, 0).r, depth = texelFetch(tr_layer_now, ivec3(pixel, layer >> 1), 0).r;\n"
+    "    highp uint code = texelFetch(tr_code, pixel, 0).r;\n"
+    "    if (reach == TR_NO_REACH)\n"
+    "        discard;\n"
+    "    if (depth == TR_CLEAR_DEPTH)\n"
+    "        code = TR_LAYER_LAST | TR_LAYER_NONE;\n"
+    "    else if ((code & TR_CODE_CLOSES) != 0u || !TR_NEARER(depth, reach))\n"
+    "        code |= TR_LAYER_LAST;\n"
+    "    if (layer > 0 && depth == texelFetch(tr_layer_before, ivec3(pixel, (layer - 1) >> 1), 0).r)\n"
+    "        code |= TR_LAYER_COINCIDENT;\n"
+    "    tr_kept = uvec4(code, 0u, 0u, 0u);\n"
+    "}\n",
+    0};
+static const char *const shaders_i_shader_seq_layers_glsl[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// Layers of TR_SEE_EXACT: whose each is, front to back. The codes of units, with what is known of the layer in bits that\n"
+    "// those leave free.\n"
+    "#define TR_LAYER_LAST (1u << 21)       // nothing behind it can be seen, or there is nothing\n"
+    "#define TR_LAYER_NONE (1u << 22)       // there is none\n"
+    "#define TR_LAYER_COINCIDENT (1u << 23) // at the same depth as the one before\n"
+    "\n"
+    "// What of an occluder a mask lets be, of a target's importance: an occluder that is a target counts one less.\n"
+    "highp float tr_yields(highp float importance, highp uint code)\n"
+    "{\n"
+    "    highp float occluder = float(code >> 24) * (1.0 / 255.0);\n"
+    "    if ((code & TR_CODE_CLOSES) != 0u)\n"
+    "        return 0.0;\n"
+    "    return clamp(importance - ((code & TR_CODE_TARGET) != 0u ? occluder - 1.0 : occluder), 0.0, 1.0);\n"
     "}\n",
     0};
 static const char *const shaders_i_shader_seq_mask_frag[] = {
@@ -2177,6 +2264,19 @@ static const char *const shaders_i_shader_seq_own_frag[] = {
     "    gl_FragDepth = texelFetch(tr_own_depth, pixel, 0).r;\n"
     "}\n",
     0};
+static const char *const shaders_i_shader_seq_reach_frag[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// How far the masks of a pixel look: the farthest of their depths is kept by the depth test.\n"
+    "void main()\n"
+    "{\n"
+    "    bool own;\n"
+    "    highp float depth, opacity = tr_mask_at(ivec2(gl_FragCoord.xy), own, depth);\n"
+    "    if (opacity >= 1.0)\n"
+    "        discard;\n"
+    "    gl_FragDepth = depth;\n"
+    "}\n",
+    0};
 static const char *const shaders_i_shader_seq_row_frag[] = {
     "#line 1\n"
     "// For: transparency.h\n"
@@ -2204,23 +2304,64 @@ static const char *const shaders_i_shader_seq_row_frag[] = {
     "    }\n"
     "}\n",
     0};
+static const char *const shaders_i_shader_seq_share_frag[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// What the masks of a run leave of the opacity of four layers, over those before by GL_MIN or by multiplication:\n"
+    "// Assarsson 2006, rules R2 to R4, section 3.5. tr_seq_step.x: which four.\n"
+    "uniform highp sampler2DArray tr_layer_even; // depths\n"
+    "uniform highp sampler2DArray tr_layer_odd;\n"
+    "uniform highp usampler2DArray tr_chain;\n"
+    "layout(location = 0) out highp vec4 tr_alphas;\n"
+    "\n"
+    "// How much of a layer yields to the mask; 0: it does not act on it.\n"
+    "highp float tr_acts(ivec2 pixel, int layer, highp uint code, bool own, highp float behind)\n"
+    "{\n"
+    "    highp vec4 law = tr_masks[tr_v_mask].law;\n"
+    "    highp float depth = (layer & 1) == 0 ? texelFetch(tr_layer_even, ivec3(pixel, layer >> 1), 0).r\n"
+    "                                         : texelFetch(tr_layer_odd, ivec3(pixel, layer >> 1), 0).r;\n"
+    "    if ((code & 0xffffu) == uint(law.w) || !TR_NEARER(depth, behind) || ((code & TR_CODE_TARGET) != 0u && !own))\n"
+    "        return 0.0;\n"
+    "    return tr_yields(law.z, code);\n"
+    "}\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    ivec2 pixel = ivec2(gl_FragCoord.xy);\n"
+    "    bool own;\n"
+    "    highp float behind, opacity = tr_mask_at(pixel, own, behind), m = 0.0;\n"
+    "    highp vec4 yields = vec4(0.0);\n"
+    "    if (opacity >= 1.0)\n"
+    "        discard;\n"
+    "    for (int i = 0; i < tr_seq_more.x; ++i) {\n"
+    "        highp uint code = texelFetch(tr_chain, ivec3(pixel, i), 0).r;\n"
+    "        if ((code & TR_LAYER_NONE) != 0u || (tr_seq_numbers.z > 0 && m >= float(tr_seq_numbers.z)))\n"
+    "            break;\n"
+    "        highp float yield_ = tr_acts(pixel, i, code, own, behind);\n"
+    "        if (i >> 2 == tr_seq_step.x)\n"
+    "            yields[i & 3] = yield_;\n"
+    "        m += yield_ > 0.0 ? 1.0 : 0.0;\n"
+    "        if ((code & TR_LAYER_LAST) != 0u)\n"
+    "            break;\n"
+    "    }\n"
+    "    tr_alphas = mix(vec4(1.0), vec4(tr_seq_more.w != 0 ? tr_shared(opacity, m) : opacity), yields);\n"
+    "}\n",
+    0};
 static const char *const shaders_i_shader_seq_units_glsl[] = {
     "#line 1\n"
     "// For: transparency.h\n"
     "// Fragment stage. What a unit's fragment does in the passes of TR_SEE_SEQUENCE, TR_SEE_PUBLISHED and TR_SEE_EXACT.\n"
     "//\n"
     "// A host's fragment shader calls tr_see_through(color, code) once, last in main, before it writes color to its output of\n"
-    "// location 0. code: what tr_unit_code makes. Bits 0 to 15: id, 16 to 20: TR_UNIT_*, 24 to 31: importance in 255ths.\n"
+    "// location 0. code: what tr_unit_code makes; see seq_codes.glsl. TR_RULE_SEE_PEEL writes the code to location 1: shaders for\n"
+    "// it have an output at location 0 and no other.\n"
     "#define TR_RULE_SEE_BLOCK 16 // of the cheaper rungs\n"
     "#define TR_RULE_SEE_DEPTH 22 // front-most surfaces: depth alone\n"
     "#define TR_RULE_SEE_SEED 23  // where a target is, open\n"
     "#define TR_RULE_SEE_BLEND 24 // colour, with the opacity that masks leave\n"
     "#define TR_RULE_SEE_BLEND_LAYERS 25 // the same under layer control\n"
     "#define TR_RULE_SEE_COUNT 26 // occluders a pixel\n"
-    "\n"
-    "#define TR_CODE_TARGET (1u << 16)\n"
-    "#define TR_CODE_CLOSES (10u << 16) // impenetrable or backdrop\n"
-    "#define TR_CODE_HOLLOW (4u << 16)\n"
+    "#define TR_RULE_SEE_PEEL 27  // the next layer of those within masks\n"
     "\n"
     "// What an occluder keeps of its opacity whatever masks say. A target counts one less than it does as a target.\n"
     "highp float tr_code_keeps(highp uint code)\n"
@@ -2259,12 +2400,58 @@ static const char *const shaders_i_shader_seq_units_glsl[] = {
     "}\n"
     "#endif\n"
     "\n"
+    "#if TR_RULE == TR_RULE_SEE_PEEL\n"
+    "layout(location = 1) out highp uint tr_layer_code;\n"
+    "uniform highp sampler2D tr_reach;             // the farthest that masks look through; TR_NO_REACH: no mask\n"
+    "uniform highp sampler2DArray tr_layer_before; // depth, of this layer's parity less one\n"
+    "uniform highp usampler2DArray tr_chain;       // codes of the layers before\n"
+    "\n"
+    "// Whether a surface may be the next layer: behind or at the last one, of a unit that has none yet. Those of hollow units\n"
+    "// are told apart by their depths.\n"
+    "bool tr_may_be_next(highp uint code, ivec2 pixel, int layer)\n"
+    "{\n"
+    "    highp uint last = texelFetch(tr_chain, ivec3(pixel, layer - 1), 0).r;\n"
+    "    highp float before = texelFetch(tr_layer_before, ivec3(pixel, (layer - 1) >> 1), 0).r;\n"
+    "    bool hollow = (code & TR_CODE_HOLLOW) != 0u, same_depth = gl_FragCoord.z == before;\n"
+    "    if ((last & TR_LAYER_LAST) != 0u || TR_NEARER(gl_FragCoord.z, before))\n"
+    "        return false;\n"
+    "    for (int i = layer - 1; i >= 0 && (!hollow || same_depth); --i) {\n"
+    "        highp uint other = texelFetch(tr_chain, ivec3(pixel, i), 0).r;\n"
+    "        if (((other ^ code) & 0xffffu) == 0u)\n"
+    "            return false;\n"
+    "        same_depth = same_depth && (other & TR_LAYER_COINCIDENT) != 0u;\n"
+    "    }\n"
+    "    return true;\n"
+    "}\n"
+    "\n"
+    "bool tr_peels(highp uint code)\n"
+    "{\n"
+    "    ivec2 pixel = ivec2(gl_FragCoord.xy);\n"
+    "    highp float reach = texelFetch(tr_reach, pixel, 0).r;\n"
+    "    int layer = tr_seq_step.x;\n"
+    "    if (reach == TR_NO_REACH || ((code & TR_CODE_HOLLOW) != 0u && !gl_FrontFacing))\n",
+    "#line 82\n"
+    "        return false;\n"
+    "    // The last place is kept for what ends the pixel, so that layers that are too many lose no target.\n"
+    "    if (tr_seq_more.y != 0 && layer == tr_seq_more.x - 1 && TR_NEARER(gl_FragCoord.z, reach) &&\n"
+    "        (code & TR_CODE_CLOSES) == 0u)\n"
+    "        return false;\n"
+    "    return layer == 0 || tr_may_be_next(code, pixel, layer);\n"
+    "}\n"
+    "#endif\n"
+    "\n"
     "void tr_see_through(inout highp vec4 color, highp uint code)\n"
     "{\n"
     "#if TR_RULE == TR_RULE_SEE_SEED\n"
-    "    highp float closed = texelFetch(tr_block_depth, ivec2(gl_FragCoord.xy), 0).r;\n"
-    "    if (TR_NEARER(closed, gl_FragCoord.z))\n"
+    "    if (tr_seq_more.z != 0 && TR_NEARER(texelFetch(tr_block_depth, ivec2(gl_FragCoord.xy), 0).r, gl_FragCoord.z))\n"
     "        discard;\n"
+    "    gl_FragDepth = gl_FragCoord.z;\n"
+    "#elif TR_RULE == TR_RULE_SEE_PEEL\n"
+    "    // Depths are written as they are compared, so that equality means the same surface.\n"
+    "    if (!tr_peels(code))\n"
+    "        discard;\n"
+    "    tr_layer_code = code & 0xff1fffffu;\n"
+    "    gl_FragDepth = gl_FragCoord.z;\n"
     "#elif TR_RULE == TR_RULE_SEE_BLEND || TR_RULE == TR_RULE_SEE_BLEND_LAYERS\n"
     "    color.a = tr_opacity_of(code);\n"
     "#elif TR_RULE == TR_RULE_SEE_COUNT\n"
@@ -2661,12 +2848,18 @@ static const shaders_i_entry shaders_i_table[] = {
     {"see_tile.vert", shaders_i_shader_see_tile_vert, 1},
     {"seq_block.glsl", shaders_i_shader_seq_block_glsl, 1},
     {"seq_boxes.vert", shaders_i_shader_seq_boxes_vert, 1},
+    {"seq_codes.glsl", shaders_i_shader_seq_codes_glsl, 1},
+    {"seq_compose.frag", shaders_i_shader_seq_compose_frag, 1},
+    {"seq_keep.frag", shaders_i_shader_seq_keep_frag, 1},
+    {"seq_layers.glsl", shaders_i_shader_seq_layers_glsl, 1},
     {"seq_mask.frag", shaders_i_shader_seq_mask_frag, 1},
     {"seq_mask.glsl", shaders_i_shader_seq_mask_glsl, 1},
     {"seq_near.frag", shaders_i_shader_seq_near_frag, 1},
     {"seq_own.frag", shaders_i_shader_seq_own_frag, 1},
+    {"seq_reach.frag", shaders_i_shader_seq_reach_frag, 1},
     {"seq_row.frag", shaders_i_shader_seq_row_frag, 1},
-    {"seq_units.glsl", shaders_i_shader_seq_units_glsl, 1},
+    {"seq_share.frag", shaders_i_shader_seq_share_frag, 1},
+    {"seq_units.glsl", shaders_i_shader_seq_units_glsl, 2},
     {"seq_wipe.frag", shaders_i_shader_seq_wipe_frag, 1},
     {"surface.frag", shaders_i_shader_surface_frag, 1},
     {"surface.vert", shaders_i_shader_surface_vert, 1},

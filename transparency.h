@@ -395,6 +395,12 @@ typedef enum tr_pass_kind {
     TR_PASS_PAINT,       /* units, blended; triangles of TR_UNIT_HOLLOW ones are to come back to front */
     TR_PASS_COUNT,       /* occluders a pixel */
     TR_PASS_PAINT_OVER,  /* full screen: from a target of our own into the host's */
+    /* of TR_SEE_EXACT, besides SCENE, BLOCK, WIPE, SEEDS, ROWS and NEAREST */
+    TR_PASS_REACH,          /* boxes: how far masks look through */
+    TR_PASS_PEEL_UNITS,     /* the next layer of what is within masks */
+    TR_PASS_KEEP,           /* full screen: whose it is */
+    TR_PASS_SHARE,          /* boxes: what masks leave of the opacity of four layers */
+    TR_PASS_COMPOSE_LAYERS, /* full screen, into the target */
     TR_PASS_KIND_COUNT
 } tr_pass_kind;
 
@@ -430,6 +436,7 @@ typedef enum tr_rule {
     TR_RULE_SEE_BLEND,
     TR_RULE_SEE_BLEND_LAYERS,
     TR_RULE_SEE_COUNT,
+    TR_RULE_SEE_PEEL,
     TR_RULE_SEE_END
 } tr_rule;
 
@@ -631,6 +638,11 @@ typedef struct tr_see_plan {
     uint32_t tiles;   /* rectangles that full-screen passes cover, in place of all of it */
     float covered;    /* by them, share of the viewport */
     uint64_t bytes;   /* of textures that are needed */
+    uint32_t runs;    /* of masks, in TR_SEE_EXACT and the sequences: those of one run do not overlap */
+    /* Of TR_SEE_EXACT: layers peeled a pixel, and how many there may be at most, by the units' bounds. Where these are more,
+       what is behind the first layers - 1, but before the farthest target that a pixel shows, may be left out of the picture.
+       Targets farthest at their pixels are not; nor is the sum of targets' weights ever less than 1 - alpha_target. */
+    uint32_t layers, layer_bound;
 } tr_see_plan;
 
 /* Begins a frame; then tr_next_pass and tr_end as always: in each pass the host draws pass.units, with the program for
@@ -1881,7 +1893,7 @@ static const char *const tr_i_shader_seq_block_glsl[] = {
     "// run of passes (std140, written by tr_begin_dynamic).\n"
     "struct tr_mask {\n"
     "    highp vec4 box; // x0, y0, x1, y1 in pixels of the viewport, x1 and y1 outside; the mask lies well within\n"
-    "    highp vec4 law; // x: strength, 1 less what has faded, y: 1: opens in lights only, z: importance\n"
+    "    highp vec4 law; // x: strength, 1 less what has faded, y: 1: opens in lights only, z: importance, w: the target's id\n"
     "};\n"
     "layout(std140) uniform tr_frame\n"
     "{\n"
@@ -1894,14 +1906,18 @@ static const char *const tr_i_shader_seq_block_glsl[] = {
     "    highp ivec4 tr_seq_numbers;  // x: divisor, y: how far a mask reaches, in pixels, z: layer control, 0: none, w: lights\n"
     "    highp ivec4 tr_seq_step;     // x: which layer a pass peels or keeps; y: 1: masks multiply,\n"
     "                                 // z: 1: whole masks cut targets, w: 1: units are painted into a target of our own\n"
+    "    highp ivec4 tr_seq_more;     // x: layers peeled in all, y: 1: the last of them is the end, z: 1: something closes masks,\n"
+    "                                 // w: 1: occluders share a mask\n"
     "    highp vec4 tr_seq_lights[8]; // x, y, radius, edge in pixels of the viewport\n"
     "    tr_mask tr_masks[64];\n"
     "};\n"
     "\n"
     "#ifdef TR_REVERSED_Z\n"
     "#define TR_NEARER(a, b) ((a) > (b))\n"
+    "#define TR_NO_REACH 1.0\n"
     "#else\n"
     "#define TR_NEARER(a, b) ((a) < (b))\n"
+    "#define TR_NO_REACH 0.0\n"
     "#endif\n",
     0};
 static const char *const tr_i_shader_seq_boxes_vert[] = {
@@ -1932,6 +1948,89 @@ static const char *const tr_i_shader_seq_boxes_vert[] = {
     "    bvec2 far = bvec2(corner == 1 || corner == 2 || corner == 4, corner == 2 || corner == 4 || corner == 5);\n"
     "    highp vec2 at = vec2(far.x ? box.z : box.x, far.y ? box.w : box.y);\n"
     "    gl_Position = vec4(at / size * 2.0 - 1.0, 0.0, 1.0);\n"
+    "}\n",
+    0};
+static const char *const tr_i_shader_seq_codes_glsl[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// Codes of units: what tr_unit_code makes. Bits 0 to 15: id, 16 to 20: TR_UNIT_*, 24 to 31: importance in 255ths.\n"
+    "#define TR_CODE_TARGET (1u << 16)\n"
+    "#define TR_CODE_CLOSES (10u << 16) // impenetrable or backdrop\n"
+    "#define TR_CODE_HOLLOW (4u << 16)\n",
+    0};
+static const char *const tr_i_shader_seq_compose_frag[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// The layers of a pixel, front to back, over the background.\n"
+    "uniform highp sampler2D tr_reach;\n"
+    "uniform highp usampler2DArray tr_chain;\n"
+    "uniform highp sampler2DArray tr_layer_color;\n"
+    "uniform highp sampler2DArray tr_layer_alphas; // of four a slice\n"
+    "layout(location = 0) out highp vec4 tr_color;\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    ivec2 pixel = ivec2(gl_FragCoord.xy) - tr_seq_view.xy;\n"
+    "    highp float left = 1.0;\n"
+    "    highp vec3 sum = vec3(0.0);\n"
+    "    if (texelFetch(tr_reach, pixel, 0).r == TR_NO_REACH)\n"
+    "        discard;\n"
+    "    for (int i = 0; i < tr_seq_more.x; ++i) {\n"
+    "        highp uint code = texelFetch(tr_chain, ivec3(pixel, i), 0).r;\n"
+    "        if ((code & TR_LAYER_NONE) != 0u)\n"
+    "            break;\n"
+    "        highp float alpha = texelFetch(tr_layer_alphas, ivec3(pixel, i >> 2), 0)[i & 3];\n"
+    "        sum += left * alpha * texelFetch(tr_layer_color, ivec3(pixel, i), 0).rgb;\n"
+    "        left *= 1.0 - alpha;\n"
+    "        if ((code & TR_LAYER_LAST) != 0u || left <= 0.0)\n"
+    "            break;\n"
+    "    }\n"
+    "    tr_color = vec4(sum + left * tr_seq_background.rgb, 1.0);\n"
+    "}\n",
+    0};
+static const char *const tr_i_shader_seq_keep_frag[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// After a layer is peeled: whose it is goes where later layers look it up, with whether it ends the pixel.\n"
+    "uniform highp sampler2D tr_reach;\n"
+    "uniform highp usampler2D tr_code;             // of the layer\n"
+    "uniform highp sampler2DArray tr_layer_now;    // its depth\n"
+    "uniform highp sampler2DArray tr_layer_before; // that of the one before\n"
+    "layout(location = 0) out highp uvec4 tr_kept;\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    ivec2 pixel = ivec2(gl_FragCoord.xy);\n"
+    "    int layer = tr_seq_step.x;\n"
+    "    highp float reach = texelFetch(tr_reach, pixel, 0).r, depth = texelFetch(tr_layer_now, ivec3(pixel, layer >> 1), 0).r;\n"
+    "    highp uint code = texelFetch(tr_code, pixel, 0).r;\n"
+    "    if (reach == TR_NO_REACH)\n"
+    "        discard;\n"
+    "    if (depth == TR_CLEAR_DEPTH)\n"
+    "        code = TR_LAYER_LAST | TR_LAYER_NONE;\n"
+    "    else if ((code & TR_CODE_CLOSES) != 0u || !TR_NEARER(depth, reach))\n"
+    "        code |= TR_LAYER_LAST;\n"
+    "    if (layer > 0 && depth == texelFetch(tr_layer_before, ivec3(pixel, (layer - 1) >> 1), 0).r)\n"
+    "        code |= TR_LAYER_COINCIDENT;\n"
+    "    tr_kept = uvec4(code, 0u, 0u, 0u);\n"
+    "}\n",
+    0};
+static const char *const tr_i_shader_seq_layers_glsl[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// Layers of TR_SEE_EXACT: whose each is, front to back. The codes of units, with what is known of the layer in bits that\n"
+    "// those leave free.\n"
+    "#define TR_LAYER_LAST (1u << 21)       // nothing behind it can be seen, or there is nothing\n"
+    "#define TR_LAYER_NONE (1u << 22)       // there is none\n"
+    "#define TR_LAYER_COINCIDENT (1u << 23) // at the same depth as the one before\n"
+    "\n"
+    "// What of an occluder a mask lets be, of a target's importance: an occluder that is a target counts one less.\n"
+    "highp float tr_yields(highp float importance, highp uint code)\n"
+    "{\n"
+    "    highp float occluder = float(code >> 24) * (1.0 / 255.0);\n"
+    "    if ((code & TR_CODE_CLOSES) != 0u)\n"
+    "        return 0.0;\n"
+    "    return clamp(importance - ((code & TR_CODE_TARGET) != 0u ? occluder - 1.0 : occluder), 0.0, 1.0);\n"
     "}\n",
     0};
 static const char *const tr_i_shader_seq_mask_frag[] = {
@@ -2106,6 +2205,19 @@ static const char *const tr_i_shader_seq_own_frag[] = {
     "    gl_FragDepth = texelFetch(tr_own_depth, pixel, 0).r;\n"
     "}\n",
     0};
+static const char *const tr_i_shader_seq_reach_frag[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// How far the masks of a pixel look: the farthest of their depths is kept by the depth test.\n"
+    "void main()\n"
+    "{\n"
+    "    bool own;\n"
+    "    highp float depth, opacity = tr_mask_at(ivec2(gl_FragCoord.xy), own, depth);\n"
+    "    if (opacity >= 1.0)\n"
+    "        discard;\n"
+    "    gl_FragDepth = depth;\n"
+    "}\n",
+    0};
 static const char *const tr_i_shader_seq_row_frag[] = {
     "#line 1\n"
     "// For: transparency.h\n"
@@ -2133,23 +2245,64 @@ static const char *const tr_i_shader_seq_row_frag[] = {
     "    }\n"
     "}\n",
     0};
+static const char *const tr_i_shader_seq_share_frag[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// What the masks of a run leave of the opacity of four layers, over those before by GL_MIN or by multiplication:\n"
+    "// Assarsson 2006, rules R2 to R4, section 3.5. tr_seq_step.x: which four.\n"
+    "uniform highp sampler2DArray tr_layer_even; // depths\n"
+    "uniform highp sampler2DArray tr_layer_odd;\n"
+    "uniform highp usampler2DArray tr_chain;\n"
+    "layout(location = 0) out highp vec4 tr_alphas;\n"
+    "\n"
+    "// How much of a layer yields to the mask; 0: it does not act on it.\n"
+    "highp float tr_acts(ivec2 pixel, int layer, highp uint code, bool own, highp float behind)\n"
+    "{\n"
+    "    highp vec4 law = tr_masks[tr_v_mask].law;\n"
+    "    highp float depth = (layer & 1) == 0 ? texelFetch(tr_layer_even, ivec3(pixel, layer >> 1), 0).r\n"
+    "                                         : texelFetch(tr_layer_odd, ivec3(pixel, layer >> 1), 0).r;\n"
+    "    if ((code & 0xffffu) == uint(law.w) || !TR_NEARER(depth, behind) || ((code & TR_CODE_TARGET) != 0u && !own))\n"
+    "        return 0.0;\n"
+    "    return tr_yields(law.z, code);\n"
+    "}\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    ivec2 pixel = ivec2(gl_FragCoord.xy);\n"
+    "    bool own;\n"
+    "    highp float behind, opacity = tr_mask_at(pixel, own, behind), m = 0.0;\n"
+    "    highp vec4 yields = vec4(0.0);\n"
+    "    if (opacity >= 1.0)\n"
+    "        discard;\n"
+    "    for (int i = 0; i < tr_seq_more.x; ++i) {\n"
+    "        highp uint code = texelFetch(tr_chain, ivec3(pixel, i), 0).r;\n"
+    "        if ((code & TR_LAYER_NONE) != 0u || (tr_seq_numbers.z > 0 && m >= float(tr_seq_numbers.z)))\n"
+    "            break;\n"
+    "        highp float yield_ = tr_acts(pixel, i, code, own, behind);\n"
+    "        if (i >> 2 == tr_seq_step.x)\n"
+    "            yields[i & 3] = yield_;\n"
+    "        m += yield_ > 0.0 ? 1.0 : 0.0;\n"
+    "        if ((code & TR_LAYER_LAST) != 0u)\n"
+    "            break;\n"
+    "    }\n"
+    "    tr_alphas = mix(vec4(1.0), vec4(tr_seq_more.w != 0 ? tr_shared(opacity, m) : opacity), yields);\n"
+    "}\n",
+    0};
 static const char *const tr_i_shader_seq_units_glsl[] = {
     "#line 1\n"
     "// For: transparency.h\n"
     "// Fragment stage. What a unit's fragment does in the passes of TR_SEE_SEQUENCE, TR_SEE_PUBLISHED and TR_SEE_EXACT.\n"
     "//\n"
     "// A host's fragment shader calls tr_see_through(color, code) once, last in main, before it writes color to its output of\n"
-    "// location 0. code: what tr_unit_code makes. Bits 0 to 15: id, 16 to 20: TR_UNIT_*, 24 to 31: importance in 255ths.\n"
+    "// location 0. code: what tr_unit_code makes; see seq_codes.glsl. TR_RULE_SEE_PEEL writes the code to location 1: shaders for\n"
+    "// it have an output at location 0 and no other.\n"
     "#define TR_RULE_SEE_BLOCK 16 // of the cheaper rungs\n"
     "#define TR_RULE_SEE_DEPTH 22 // front-most surfaces: depth alone\n"
     "#define TR_RULE_SEE_SEED 23  // where a target is, open\n"
     "#define TR_RULE_SEE_BLEND 24 // colour, with the opacity that masks leave\n"
     "#define TR_RULE_SEE_BLEND_LAYERS 25 // the same under layer control\n"
     "#define TR_RULE_SEE_COUNT 26 // occluders a pixel\n"
-    "\n"
-    "#define TR_CODE_TARGET (1u << 16)\n"
-    "#define TR_CODE_CLOSES (10u << 16) // impenetrable or backdrop\n"
-    "#define TR_CODE_HOLLOW (4u << 16)\n"
+    "#define TR_RULE_SEE_PEEL 27  // the next layer of those within masks\n"
     "\n"
     "// What an occluder keeps of its opacity whatever masks say. A target counts one less than it does as a target.\n"
     "highp float tr_code_keeps(highp uint code)\n"
@@ -2188,12 +2341,58 @@ static const char *const tr_i_shader_seq_units_glsl[] = {
     "}\n"
     "#endif\n"
     "\n"
+    "#if TR_RULE == TR_RULE_SEE_PEEL\n"
+    "layout(location = 1) out highp uint tr_layer_code;\n"
+    "uniform highp sampler2D tr_reach;             // the farthest that masks look through; TR_NO_REACH: no mask\n"
+    "uniform highp sampler2DArray tr_layer_before; // depth, of this layer's parity less one\n"
+    "uniform highp usampler2DArray tr_chain;       // codes of the layers before\n"
+    "\n"
+    "// Whether a surface may be the next layer: behind or at the last one, of a unit that has none yet. Those of hollow units\n"
+    "// are told apart by their depths.\n"
+    "bool tr_may_be_next(highp uint code, ivec2 pixel, int layer)\n"
+    "{\n"
+    "    highp uint last = texelFetch(tr_chain, ivec3(pixel, layer - 1), 0).r;\n"
+    "    highp float before = texelFetch(tr_layer_before, ivec3(pixel, (layer - 1) >> 1), 0).r;\n"
+    "    bool hollow = (code & TR_CODE_HOLLOW) != 0u, same_depth = gl_FragCoord.z == before;\n"
+    "    if ((last & TR_LAYER_LAST) != 0u || TR_NEARER(gl_FragCoord.z, before))\n"
+    "        return false;\n"
+    "    for (int i = layer - 1; i >= 0 && (!hollow || same_depth); --i) {\n"
+    "        highp uint other = texelFetch(tr_chain, ivec3(pixel, i), 0).r;\n"
+    "        if (((other ^ code) & 0xffffu) == 0u)\n"
+    "            return false;\n"
+    "        same_depth = same_depth && (other & TR_LAYER_COINCIDENT) != 0u;\n"
+    "    }\n"
+    "    return true;\n"
+    "}\n"
+    "\n"
+    "bool tr_peels(highp uint code)\n"
+    "{\n"
+    "    ivec2 pixel = ivec2(gl_FragCoord.xy);\n"
+    "    highp float reach = texelFetch(tr_reach, pixel, 0).r;\n"
+    "    int layer = tr_seq_step.x;\n"
+    "    if (reach == TR_NO_REACH || ((code & TR_CODE_HOLLOW) != 0u && !gl_FrontFacing))\n",
+    "#line 82\n"
+    "        return false;\n"
+    "    // The last place is kept for what ends the pixel, so that layers that are too many lose no target.\n"
+    "    if (tr_seq_more.y != 0 && layer == tr_seq_more.x - 1 && TR_NEARER(gl_FragCoord.z, reach) &&\n"
+    "        (code & TR_CODE_CLOSES) == 0u)\n"
+    "        return false;\n"
+    "    return layer == 0 || tr_may_be_next(code, pixel, layer);\n"
+    "}\n"
+    "#endif\n"
+    "\n"
     "void tr_see_through(inout highp vec4 color, highp uint code)\n"
     "{\n"
     "#if TR_RULE == TR_RULE_SEE_SEED\n"
-    "    highp float closed = texelFetch(tr_block_depth, ivec2(gl_FragCoord.xy), 0).r;\n"
-    "    if (TR_NEARER(closed, gl_FragCoord.z))\n"
+    "    if (tr_seq_more.z != 0 && TR_NEARER(texelFetch(tr_block_depth, ivec2(gl_FragCoord.xy), 0).r, gl_FragCoord.z))\n"
     "        discard;\n"
+    "    gl_FragDepth = gl_FragCoord.z;\n"
+    "#elif TR_RULE == TR_RULE_SEE_PEEL\n"
+    "    // Depths are written as they are compared, so that equality means the same surface.\n"
+    "    if (!tr_peels(code))\n"
+    "        discard;\n"
+    "    tr_layer_code = code & 0xff1fffffu;\n"
+    "    gl_FragDepth = gl_FragCoord.z;\n"
     "#elif TR_RULE == TR_RULE_SEE_BLEND || TR_RULE == TR_RULE_SEE_BLEND_LAYERS\n"
     "    color.a = tr_opacity_of(code);\n"
     "#elif TR_RULE == TR_RULE_SEE_COUNT\n"
@@ -2855,6 +3054,10 @@ enum {
     TR_I_SEQ_NEAR,                     /* round; in rings */
     TR_I_SEQ_MASK = TR_I_SEQ_NEAR + 2, /* + 1: in rings, + 2: shared by the occluders */
     TR_I_SEQ_OVER = TR_I_SEQ_MASK + 4,
+    TR_I_SEQ_DEPTHS, /* of TR_PASS_REACH */
+    TR_I_SEQ_KEEP,
+    TR_I_SEQ_SHARE,
+    TR_I_SEQ_COMPOSE,
     TR_I_SEQ_PROGRAM_COUNT
 };
 
@@ -3031,6 +3234,7 @@ typedef struct tr_i_rank {
     double depth;             /* of its group's middle, along the view; of what has none TR_I_FARTHEST */
     uint32_t lowest, id;      /* of ids in its group; its own */
     uint32_t group, backdrop; /* backdrops come first */
+    uint32_t target;
     int32_t rank;
 } tr_i_rank;
 #define TR_I_FARTHEST 1.0e300
@@ -3038,8 +3242,8 @@ typedef struct tr_i_rank {
 /* The mask of a target; boxes are x0, y0, x1, y1, the last two outside. */
 typedef struct tr_i_mask {
     int reach[4], box[4]; /* where it may be; what textures are drawn in for it */
-    uint32_t unit;
-    float strength, active, importance;
+    uint32_t unit, run;   /* run: of masks that are drawn together */
+    float strength, active, importance, id;
 } tr_i_mask;
 
 /* What is painted at a time: units of which none covers another on the screen; or masks that do not overlap. */
@@ -3051,7 +3255,7 @@ typedef struct tr_i_item {
 typedef struct tr_i_step { /* a pass to come */
     uint32_t first, count; /* of the list of units, or boxes of a run of masks */
     uint32_t block;        /* the copy of the uniform block that it reads */
-    uint8_t kind, rule, own, hollow, clear, subtract;
+    uint8_t kind, rule, own, hollow, clear, subtract, layer;
 } tr_i_step;
 
 #define TR_I_RUN 64 /* masks, or units, at most in an item */
@@ -3059,11 +3263,13 @@ typedef struct tr_i_step { /* a pass to come */
 /* The uniform block of shaders/seq_block.glsl, std140. */
 typedef struct tr_i_seq_block {
     float light[4], cool[4], warm[4], law[4], background[4];
-    int32_t view[4], numbers[4], step[4];
+    int32_t view[4], numbers[4], step[4], more[4];
     float lights[TR_MAX_LIGHTS][4];
     float masks[TR_I_RUN][8];
 } tr_i_seq_block;
 #define TR_I_SEQ_STRIDE 2560 /* of its copies, one a run or a layer: a multiple of 256 */
+
+#define TR_I_SEQ_LAYERS 16 /* of a pixel, at most */
 
 /* Textures: of pixels, but for ROWS and NEAREST, which have a texel a cell. */
 enum {
@@ -3075,6 +3281,13 @@ enum {
     TR_I_SEQ_OWN_COLOR, /* a target of our own, where occluders have to be counted */
     TR_I_SEQ_OWN_DEPTH,
     TR_I_SEQ_REMAINING, /* occluders still to be painted */
+    TR_I_SEQ_REACH,     /* how far masks look through */
+    TR_I_SEQ_CODE,      /* whose the layer is that is being peeled; layers are arrays from here on */
+    TR_I_SEQ_EVEN,      /* depth of layers 0, 2, 4, ... */
+    TR_I_SEQ_ODD,
+    TR_I_SEQ_CHAIN,        /* whose they are */
+    TR_I_SEQ_LAYER_COLOR,  /* their colours */
+    TR_I_SEQ_LAYER_ALPHAS, /* of four a slice */
     TR_I_SEQ_TEXTURE_COUNT
 };
 
@@ -3086,11 +3299,16 @@ enum {
     TR_I_SEQ_FBO_ALPHAS,
     TR_I_SEQ_FBO_OWN,
     TR_I_SEQ_FBO_COUNTS,
-    TR_I_SEQ_FBO_COUNT
+    TR_I_SEQ_FBO_REACH,
+    TR_I_SEQ_FBO_PEEL,
+    TR_I_SEQ_FBO_KEEP = TR_I_SEQ_FBO_PEEL + TR_I_SEQ_LAYERS,
+    TR_I_SEQ_FBO_SHARE = TR_I_SEQ_FBO_KEEP + TR_I_SEQ_LAYERS,
+    TR_I_SEQ_FBO_COUNT = TR_I_SEQ_FBO_SHARE + TR_I_SEQ_LAYERS / 4
 };
 
 typedef struct tr_i_sequence {
     tr_i_array ranks, by_group, painted; /* of all units */
+    tr_i_array tied;                     /* of all units: who is in front where depths are the same */
     tr_i_array list, scene;              /* of units, as passes draw them */
     tr_i_array masks, items, steps, blocks;
     tr_i_step lost; /* where a step goes that there is no memory for */
@@ -3100,9 +3318,14 @@ typedef struct tr_i_sequence {
     int grow, reach;  /* pixels around a target that its mask's textures cover; that its mask covers */
     int no_memory;
     int counted, published, product, each, layers; /* of this frame */
-    int extent[3], wanted[3];                      /* width, height, divisor: of the textures; of this frame */
-    int eight_bits;                                /* 1: float textures cannot be drawn into */
-    int active;                                    /* this frame is of one */
+    int extent[4], wanted[4];                      /* width, height, divisor, layers: of the textures; of this frame */
+    int light, made_for_light;                     /* 1: colours are light, the target encodes them */
+    int has_block, exact, whole, layer_bound,
+        peeled; /* peeled: layers; whole: the last of them is the end of the pixel */
+    uint32_t runs;
+    int bounds[4];  /* of all masks: x0, y0, x1, y1 */
+    int eight_bits; /* 1: float textures cannot be drawn into */
+    int active;     /* this frame is of one */
     tr_i_u textures[TR_I_SEQ_TEXTURE_COUNT], fbos[TR_I_SEQ_FBO_COUNT], buffer;
     size_t buffer_size;
 } tr_i_sequence;
@@ -3209,17 +3432,19 @@ TR_I_API const char *tr_result_string(tr_result result) {
 }
 
 TR_I_API const char *tr_pass_kind_name(tr_pass_kind kind) {
-    static const char *const names[] = {"front",        "peel",        "layer",
-                                        "limit",        "opaque",      "copy depth",
-                                        "opaque lines", "compose",     "transparent lines",
-                                        "hidden lines", "outer lines", "take opaque",
-                                        "block",        "targets",     "spread x",
-                                        "spread y",     "finish",      "prime",
-                                        "scene",        "behind",      "yield",
-                                        "compose mask", "query",       "hides",
-                                        "wipe",         "seeds",       "rows",
-                                        "nearest",      "masks",       "paint depth",
-                                        "paint",        "count",       "paint over"};
+    static const char *const names[] = {"front",        "peel",          "layer",
+                                        "limit",        "opaque",        "copy depth",
+                                        "opaque lines", "compose",       "transparent lines",
+                                        "hidden lines", "outer lines",   "take opaque",
+                                        "block",        "targets",       "spread x",
+                                        "spread y",     "finish",        "prime",
+                                        "scene",        "behind",        "yield",
+                                        "compose mask", "query",         "hides",
+                                        "wipe",         "seeds",         "rows",
+                                        "nearest",      "masks",         "paint depth",
+                                        "paint",        "count",         "paint over",
+                                        "reach",        "peel units",    "keep",
+                                        "share",        "compose layers"};
     return (unsigned)kind < (unsigned)TR_PASS_KIND_COUNT ? names[kind] : "unknown pass";
 }
 
@@ -4231,6 +4456,19 @@ static int tr_i_before_in_painting(const tr_i_rank *ranks, uint32_t a, uint32_t 
     return p->id != q->id ? p->id > q->id : a > b;
 }
 
+/* Nearest to the eye first, where depths are the same: targets, so that nothing coincident hides them; of a group the higher
+   rank; the lower id. */
+static int tr_i_before_in_ties(const tr_i_rank *ranks, uint32_t a, uint32_t b) {
+    const tr_i_rank *p = &ranks[a], *q = &ranks[b];
+    if (p->target != q->target)
+        return p->target > q->target;
+    if (p->lowest != q->lowest)
+        return p->lowest < q->lowest;
+    if (p->rank != q->rank)
+        return p->rank > q->rank;
+    return p->id != q->id ? p->id < q->id : a < b;
+}
+
 /* Sorting by insertion, as long as that takes few moves: 0 when it took too many. */
 static int tr_i_insert_all(const tr_i_rank *ranks, tr_i_before before, uint32_t *order, size_t count) {
     size_t moves = 0, i, at;
@@ -4290,6 +4528,7 @@ static void tr_i_rank_unit(tr_i_rank *rank, const float view[16], const tr_unit 
     rank->group = unit->group;
     rank->backdrop = (unit->flags & TR_UNIT_BACKDROP) != 0;
     rank->rank = unit->rank;
+    rank->target = unit->flags & TR_UNIT_TARGET;
 }
 
 /* Gives members of a group the mean of their middles, of those that have one, and the lowest id. */
@@ -4348,13 +4587,14 @@ static int tr_i_fit_orders(tr_context *tr, tr_i_sequence *seq, size_t count) {
     size_t i;
     if (seq->painted.count == count && seq->ranks.count == count)
         return 1;
-    seq->ranks.count = seq->by_group.count = seq->painted.count = 0;
+    seq->ranks.count = seq->by_group.count = seq->painted.count = seq->tied.count = 0;
     for (i = 0; i < count; ++i) {
         uint32_t *a = (uint32_t *)tr_i_push(tr, &seq->by_group, sizeof *a);
         uint32_t *b = (uint32_t *)tr_i_push(tr, &seq->painted, sizeof *b);
-        if (!a || !b || !tr_i_push(tr, &seq->ranks, sizeof(tr_i_rank)))
+        uint32_t *c = (uint32_t *)tr_i_push(tr, &seq->tied, sizeof *c);
+        if (!a || !b || !c || !tr_i_push(tr, &seq->ranks, sizeof(tr_i_rank)))
             return 0;
-        *a = *b = (uint32_t)i;
+        *a = *b = *c = (uint32_t)i;
     }
     return 1;
 }
@@ -4371,7 +4611,10 @@ static int tr_i_order_units(tr_context *tr, tr_i_sequence *seq, const tr_dynamic
     }
     tr_i_sort_coherently(ranks, tr_i_before_in_groups, (uint32_t *)seq->by_group.items, count);
     tr_i_join_groups(ranks, (const uint32_t *)seq->by_group.items, count);
-    tr_i_sort_coherently(ranks, tr_i_before_in_painting, (uint32_t *)seq->painted.items, count);
+    if (seq->exact)
+        tr_i_sort_coherently(ranks, tr_i_before_in_ties, (uint32_t *)seq->tied.items, count);
+    else
+        tr_i_sort_coherently(ranks, tr_i_before_in_painting, (uint32_t *)seq->painted.items, count);
     return 1;
 }
 
@@ -4452,30 +4695,37 @@ static void tr_i_paint(tr_context *tr, tr_i_sequence *seq, const tr_i_place *pla
     tr_i_list_unit(tr, seq, &seq->list, unit);
 }
 
+static tr_i_mask *tr_i_push_mask(tr_context *tr, tr_i_sequence *seq, const tr_unit *unit, uint32_t index,
+                                 const int core[4], const int size[2]) {
+    tr_i_mask *mask = (tr_i_mask *)tr_i_push(tr, &seq->masks, sizeof *mask);
+    if (!mask) {
+        seq->no_memory = 1;
+        return 0;
+    }
+    memset(mask, 0, sizeof *mask);
+    mask->unit = index;
+    mask->strength = 1.0f - tr_i_fade_of(unit);
+    mask->importance = tr_i_importance_of(unit);
+    mask->active = unit->flags & TR_UNIT_ACTIVE ? 1.0f : 0.0f;
+    mask->id = (float)unit->id;
+    tr_i_grow_box(core, seq->reach, size[0], size[1], mask->reach);
+    tr_i_grow_box(core, seq->grow, size[0], size[1], mask->box);
+    return mask;
+}
+
 /* A target has been painted: its mask waits for the first that it may make transparent. Those that wait do not overlap,
    so that one run of passes draws them all. */
 static void tr_i_add_mask(tr_context *tr, tr_i_sequence *seq, const tr_unit *unit, uint32_t index, const int core[4],
                           const int size[2]) {
-    tr_i_mask *mask, made;
+    const tr_i_mask *masks = (const tr_i_mask *)seq->masks.items;
+    int box[4];
     size_t i;
-    memset(&made, 0, sizeof made);
-    made.unit = index;
-    made.strength = 1.0f - tr_i_fade_of(unit);
-    made.importance = tr_i_importance_of(unit);
-    made.active = unit->flags & TR_UNIT_ACTIVE ? 1.0f : 0.0f;
-    tr_i_grow_box(core, seq->reach, size[0], size[1], made.reach);
-    tr_i_grow_box(core, seq->grow, size[0], size[1], made.box);
-    for (i = seq->pending; i < seq->masks.count; ++i)
-        if (tr_i_boxes_meet(((const tr_i_mask *)seq->masks.items)[i].box, made.box))
-            break;
+    tr_i_grow_box(core, seq->grow, size[0], size[1], box);
+    for (i = seq->pending; i < seq->masks.count && !tr_i_boxes_meet(masks[i].box, box);)
+        ++i;
     if (i < seq->masks.count || seq->masks.count - seq->pending == TR_I_RUN)
         tr_i_flush_masks(tr, seq);
-    mask = (tr_i_mask *)tr_i_push(tr, &seq->masks, sizeof *mask);
-    if (!mask) {
-        seq->no_memory = 1;
-        return;
-    }
-    *mask = made;
+    tr_i_push_mask(tr, seq, unit, index, core, size);
 }
 
 static int tr_i_seq_yields(const tr_unit *unit) {
@@ -4537,6 +4787,133 @@ static void tr_i_arrange_units(tr_context *tr, const tr_dynamic *dynamic, const 
         tr_i_arrange_unit(tr, dynamic, at, size);
 }
 
+/* ---- dynamic transparency: layers within masks ---- */
+
+/* Whether anything that yields may lie before a target, where its mask may be. */
+static int tr_i_is_behind(const tr_i_sequence *seq, const tr_dynamic *dynamic, const tr_i_place *places,
+                          size_t target) {
+    int core[4], reach[4], box[4];
+    size_t i;
+    if (!tr_i_box_of(places, target, core))
+        return 0;
+    tr_i_grow_box(core, seq->reach, 0xffff, 0xffff, reach);
+    for (i = 0; i < dynamic->unit_count; ++i) {
+        tr_unit unit;
+        if (i == target || !tr_i_box_of(places, i, box) || !tr_i_boxes_meet(box, reach) ||
+            !(places[i].first < places[target].last))
+            continue;
+        unit = tr_i_unit_at(dynamic, i);
+        if (tr_i_seq_yields(&unit))
+            return 1;
+    }
+    return 0;
+}
+
+/* The first run that a mask may be drawn in: with masks that it does not overlap. */
+static uint32_t tr_i_find_run(const tr_i_sequence *seq, size_t index) {
+    const tr_i_mask *masks = (const tr_i_mask *)seq->masks.items;
+    uint32_t run = 0;
+    size_t i, members = 0;
+    for (i = 0; i < index;) {
+        int meets = masks[i].run == run && tr_i_boxes_meet(masks[i].box, masks[index].box);
+        members += masks[i].run == run;
+        ++i;
+        if (meets || members == TR_I_RUN) {
+            ++run;
+            i = members = 0;
+        }
+    }
+    return run;
+}
+
+/* How many layers may lie before the farthest target of a mask or of one that overlaps it: by bounds, so more than do. Of a
+   hollow unit four are allowed for. */
+static int tr_i_bound_layers(const tr_i_sequence *seq, const tr_dynamic *dynamic, const tr_i_place *places,
+                             size_t index, int most) {
+    const tr_i_mask *masks = (const tr_i_mask *)seq->masks.items;
+    float last = places[masks[index].unit].last;
+    int layers = 0, box[4];
+    size_t i;
+    for (i = 0; i < seq->masks.count; ++i)
+        if (places[masks[i].unit].last > last && tr_i_boxes_meet(masks[i].reach, masks[index].reach))
+            last = places[masks[i].unit].last;
+    for (i = 0; i < dynamic->unit_count && layers < most; ++i) {
+        tr_unit unit;
+        if (i == masks[index].unit || !tr_i_box_of(places, i, box) || !tr_i_boxes_meet(box, masks[index].reach) ||
+            !(places[i].first < last))
+            continue;
+        unit = tr_i_unit_at(dynamic, i);
+        layers += !tr_i_seq_yields(&unit) ? 0 : unit.flags & TR_UNIT_HOLLOW ? 4 : 1;
+    }
+    return layers;
+}
+
+/* How many layers to peel. The last place is for what ends a pixel; layer control of masks that do not overlap needs no
+   more than it lets through and the one that stays. */
+static void tr_i_count_layers(tr_i_sequence *seq, const tr_dynamic *dynamic, const tr_i_place *places) {
+    int bound = 0, most = 4 * TR_I_SEQ_LAYERS;
+    size_t i;
+    for (i = 0; i < seq->masks.count; ++i) {
+        int layers = tr_i_bound_layers(seq, dynamic, places, i, most);
+        bound = layers > bound ? layers : bound;
+    }
+    seq->layer_bound = bound + 1;
+    seq->peeled = bound < TR_I_SEQ_LAYERS ? bound + 1 : TR_I_SEQ_LAYERS;
+    seq->whole = 1;
+    if (seq->layers > 0 && seq->runs == 1 && seq->layers < seq->peeled) {
+        seq->layer_bound = seq->peeled = seq->layers + 1;
+        seq->whole = 0;
+    }
+}
+
+/* Masks of targets that something may lie before, in as few runs as come of taking the first that will do. */
+static void tr_i_arrange_masks(tr_context *tr, const tr_dynamic *dynamic, const int size[2]) {
+    tr_i_sequence *seq = &tr->seq;
+    const tr_i_place *places = tr->see.places;
+    size_t i;
+    seq->list.count = seq->scene.count = seq->masks.count = seq->items.count = 0;
+    seq->no_memory = 0;
+    seq->runs = 0;
+    for (i = 0; i < dynamic->unit_count && !seq->no_memory; ++i) {
+        tr_unit unit = tr_i_unit_at(dynamic, i);
+        tr_i_mask *mask;
+        int core[4];
+        tr_i_list_unit(tr, seq, &seq->scene, (uint32_t)i);
+        if (!(unit.flags & TR_UNIT_TARGET) || !tr_i_opens(dynamic, &unit, &places[i], seq->reach) ||
+            !tr_i_is_behind(seq, dynamic, places, i))
+            continue;
+        tr_i_box_of(places, i, core);
+        mask = tr_i_push_mask(tr, seq, &unit, (uint32_t)i, core, size);
+        if (!mask)
+            return;
+        mask->run = tr_i_find_run(seq, seq->masks.count - 1);
+        seq->runs = mask->run >= seq->runs ? mask->run + 1 : seq->runs;
+    }
+    seq->pending = (uint32_t)seq->masks.count;
+    tr_i_count_layers(seq, dynamic, places);
+}
+
+/* Runs in one piece each. */
+static void tr_i_sort_masks(tr_context *tr) {
+    tr_i_sequence *seq = &tr->seq;
+    tr_i_mask *masks = (tr_i_mask *)seq->masks.items;
+    size_t first = 0, i, end;
+    uint32_t run;
+    for (run = 0; run < seq->runs; ++run) {
+        tr_i_item *item;
+        for (i = end = first; i < seq->masks.count; ++i)
+            if (masks[i].run == run) {
+                tr_i_mask kept = masks[i];
+                masks[i] = masks[end];
+                masks[end++] = kept;
+            }
+        item = tr_i_add_item(tr, seq, (uint32_t)first, (uint32_t)(end - first));
+        if (item)
+            item->masks = 1;
+        first = end;
+    }
+}
+
 /* ---- dynamic transparency: the steps of a sequence ---- */
 
 static tr_i_step *tr_i_add_step(tr_context *tr, tr_pass_kind kind, tr_rule rule, size_t first, size_t count) {
@@ -4568,22 +4945,28 @@ static size_t tr_i_list_meeting(tr_context *tr, const tr_dynamic *dynamic, const
     return seq->list.count - first;
 }
 
-/* The targets of a run of masks: where they are open, how far every pixel is from them, and what follows from that. */
-static void tr_i_add_run(tr_context *tr, const tr_i_item *item, uint32_t block, int has_block, int first) {
+/* The targets of a run of masks: where they are open, and how far every pixel is from them. */
+static void tr_i_add_distances(tr_context *tr, const tr_i_item *item, uint32_t block, int has_block) {
     tr_i_sequence *seq = &tr->seq;
     const tr_i_mask *masks = (const tr_i_mask *)seq->masks.items;
-    static const tr_pass_kind kinds[4] = {TR_PASS_WIPE, TR_PASS_ROWS, TR_PASS_NEAREST, TR_PASS_MASKS};
+    tr_rule rule = has_block || seq->exact ? TR_RULE_SEE_SEED : TR_RULE_SEE_DEPTH;
     size_t units = seq->list.count;
     uint32_t i;
     for (i = 0; i < item->count; ++i)
         tr_i_list_unit(tr, seq, &seq->list, masks[item->first + i].unit);
-    for (i = 0; i < 4; ++i) {
-        tr_i_step *step = tr_i_add_step(tr, kinds[i], TR_RULE_SEE_PLAIN, 0, item->count);
-        step->block = block;
-        step->clear = kinds[i] == TR_PASS_MASKS && first;
-        if (kinds[i] == TR_PASS_WIPE)
-            tr_i_add_step(tr, TR_PASS_SEEDS, has_block ? TR_RULE_SEE_SEED : TR_RULE_SEE_DEPTH, units, item->count);
-    }
+    tr_i_add_step(tr, TR_PASS_WIPE, TR_RULE_SEE_PLAIN, 0, item->count)->block = block;
+    tr_i_add_step(tr, TR_PASS_SEEDS, rule, units, item->count);
+    tr_i_add_step(tr, TR_PASS_ROWS, TR_RULE_SEE_PLAIN, 0, item->count)->block = block;
+    tr_i_add_step(tr, TR_PASS_NEAREST, TR_RULE_SEE_PLAIN, 0, item->count)->block = block;
+}
+
+/* And what follows from that. */
+static void tr_i_add_run(tr_context *tr, const tr_i_item *item, uint32_t block, int has_block) {
+    tr_i_step *step;
+    tr_i_add_distances(tr, item, block, has_block);
+    step = tr_i_add_step(tr, TR_PASS_MASKS, TR_RULE_SEE_PLAIN, 0, item->count);
+    step->block = block;
+    step->clear = block == 0;
 }
 
 /* The units of an item: solids by their front-most surfaces, which depth finds first; hollow ones surface by surface, as
@@ -4628,7 +5011,7 @@ static void tr_i_add_sweep(tr_context *tr, int counting, int has_block) {
         if (!item.masks)
             tr_i_add_painting(tr, &item, counting);
         else if (!counting) {
-            tr_i_add_run(tr, &item, block, has_block, block == 0);
+            tr_i_add_run(tr, &item, block, has_block);
             ++block;
         }
     }
@@ -4644,6 +5027,7 @@ static void tr_i_add_steps(tr_context *tr, const tr_dynamic *dynamic) {
         blocks = tr_i_list_meeting(tr, dynamic, &seq->painted, 1);
     if (blocks)
         tr_i_add_step(tr, TR_PASS_BLOCK, TR_RULE_SEE_DEPTH, first, blocks)->clear = 1;
+    seq->has_block = blocks != 0;
     first = seq->list.count;
     if (seq->counted) {
         primed = tr_i_list_meeting(tr, dynamic, &seq->scene, 0);
@@ -4681,8 +5065,6 @@ static const char *tr_i_check_law(const tr_dynamic *dynamic) {
 /* What the rung cannot do. */
 static const char *tr_i_check_rung(const tr_dynamic *dynamic) {
     int one_mask = dynamic->see == TR_SEE_ONE_MASK, dither = dynamic->see == TR_SEE_DITHER;
-    if (dynamic->see == TR_SEE_EXACT)
-        return "dynamic.see";
     if (dynamic->shape != TR_MASK_OUTLINE)
         return "dynamic.shape";
     if ((one_mask || dither) && dynamic->combine != TR_MASK_MIN)
@@ -5150,7 +5532,8 @@ static int tr_i_wants_color(int rule) {
     return rule == TR_RULE_FRONT_ALONE || rule == TR_RULE_PEEL_ALONE || rule == TR_RULE_LAYER ||
            rule == TR_RULE_LAYER_MARKED || rule == TR_RULE_LAYER_GROUP || rule == TR_RULE_OPAQUE ||
            rule == TR_RULE_OPAQUE_ENTERING || rule == TR_RULE_SEE_PLAIN || rule == TR_RULE_SEE_BEHIND ||
-           rule == TR_RULE_SEE_DITHER || rule == TR_RULE_SEE_BLEND || rule == TR_RULE_SEE_BLEND_LAYERS;
+           rule == TR_RULE_SEE_DITHER || rule == TR_RULE_SEE_BLEND || rule == TR_RULE_SEE_BLEND_LAYERS ||
+           rule == TR_RULE_SEE_PEEL;
 }
 
 static int tr_i_wants_alpha(int rule) {
@@ -5170,7 +5553,7 @@ static void tr_i_add_rule(tr_i_source *source, int rule) {
         "#define TR_RULE 12\n", "#define TR_RULE 13\n", "#define TR_RULE 14\n", "#define TR_RULE 15\n",
         "#define TR_RULE 16\n", "#define TR_RULE 17\n", "#define TR_RULE 18\n", "#define TR_RULE 19\n",
         "#define TR_RULE 20\n", "#define TR_RULE 21\n", "#define TR_RULE 22\n", "#define TR_RULE 23\n",
-        "#define TR_RULE 24\n", "#define TR_RULE 25\n", "#define TR_RULE 26\n"};
+        "#define TR_RULE 24\n", "#define TR_RULE 25\n", "#define TR_RULE 26\n", "#define TR_RULE 27\n"};
     tr_i_add(source, rules[rule]);
     tr_i_add(source, tr_i_wants_color(rule) ? "#define TR_WANTS_COLOR 1\n" : "#define TR_WANTS_COLOR 0\n");
     tr_i_add(source, tr_i_wants_alpha(rule) ? "#define TR_WANTS_ALPHA 1\n" : "#define TR_WANTS_ALPHA 0\n");
@@ -5192,6 +5575,8 @@ static void tr_i_host_source(tr_i_source *source, tr_stage stage, int rule, int 
         tr_i_add_chunks(source, tr_i_shader_alpha_law_glsl);
     } else if (rule >= TR_RULE_SEE_DEPTH) {
         tr_i_add_chunks(source, tr_i_shader_seq_block_glsl);
+        tr_i_add_chunks(source, tr_i_shader_seq_codes_glsl);
+        tr_i_add_chunks(source, tr_i_shader_seq_layers_glsl);
         tr_i_add_chunks(source, tr_i_shader_seq_units_glsl);
         tr_i_add_chunks(source, tr_i_shader_cool_to_warm_glsl);
     } else if (tr_i_is_see(rule)) {
@@ -5321,24 +5706,29 @@ static void tr_i_alpha_source(tr_i_source *source, tr_stage stage, int alpha) {
 
 /* Full-screen passes of sequences, by the programs' numbers from TR_I_SEQ_WIPE on. */
 static void tr_i_seq_source(tr_i_source *source, tr_stage stage, int program) {
-    int mask = program >= TR_I_SEQ_MASK && program < TR_I_SEQ_OVER;
-    int variant = program - (mask ? TR_I_SEQ_MASK : TR_I_SEQ_NEAR);
-    int boxes = program == TR_I_SEQ_ROW ? 1 : program >= TR_I_SEQ_NEAR && program < TR_I_SEQ_MASK ? 2 : 0;
+    static const tr_i_strings fragments[] = {
+        tr_i_shader_seq_wipe_frag,   tr_i_shader_seq_row_frag,   tr_i_shader_seq_near_frag, tr_i_shader_seq_near_frag,
+        tr_i_shader_seq_mask_frag,   tr_i_shader_seq_mask_frag,  tr_i_shader_seq_mask_frag, tr_i_shader_seq_mask_frag,
+        tr_i_shader_seq_own_frag,    tr_i_shader_seq_reach_frag, tr_i_shader_seq_keep_frag, tr_i_shader_seq_share_frag,
+        tr_i_shader_seq_compose_frag};
+    int masks = program >= TR_I_SEQ_MASK && program < TR_I_SEQ_OVER, near_ = program - TR_I_SEQ_NEAR;
+    int rings = masks ? (program - TR_I_SEQ_MASK) & 1 : near_ == 1;
+    int whole = program == TR_I_SEQ_OVER || program == TR_I_SEQ_KEEP || program == TR_I_SEQ_COMPOSE;
     tr_i_add_chunks(source, tr_i_shader_seq_block_glsl);
     if (stage == TR_VERTEX) {
-        tr_i_add_define(source, "TR_BOXES", (uint32_t)boxes);
-        tr_i_add_chunks(source, program == TR_I_SEQ_OVER ? tr_i_shader_fullscreen_vert : tr_i_shader_seq_boxes_vert);
+        tr_i_add_define(source, "TR_BOXES", program == TR_I_SEQ_ROW ? 1 : near_ == 0 || near_ == 1 ? 2 : 0);
+        tr_i_add_chunks(source, whole ? tr_i_shader_fullscreen_vert : tr_i_shader_seq_boxes_vert);
         return;
     }
-    tr_i_add_define(source, "TR_RINGS", (uint32_t)(variant & 1));
-    tr_i_add_define(source, "TR_TOGETHER", (uint32_t)(mask ? variant >> 1 : 0));
-    if (mask)
+    tr_i_add_define(source, "TR_RINGS", (uint32_t)rings);
+    tr_i_add_define(source, "TR_TOGETHER", masks && program >= TR_I_SEQ_MASK + 2);
+    if (masks || program == TR_I_SEQ_DEPTHS || program == TR_I_SEQ_SHARE)
         tr_i_add_chunks(source, tr_i_shader_seq_mask_glsl);
-    tr_i_add_chunks(source, program == TR_I_SEQ_WIPE   ? tr_i_shader_seq_wipe_frag
-                            : program == TR_I_SEQ_ROW  ? tr_i_shader_seq_row_frag
-                            : mask                     ? tr_i_shader_seq_mask_frag
-                            : program == TR_I_SEQ_OVER ? tr_i_shader_seq_own_frag
-                                                       : tr_i_shader_seq_near_frag);
+    if (program > TR_I_SEQ_DEPTHS) {
+        tr_i_add_chunks(source, tr_i_shader_seq_codes_glsl);
+        tr_i_add_chunks(source, tr_i_shader_seq_layers_glsl);
+    }
+    tr_i_add_chunks(source, fragments[program]);
 }
 
 /* The whole text of one stage of a built-in program; key: of a variant. */
@@ -5420,10 +5810,13 @@ static tr_i_u tr_i_link(tr_context *tr, int index) {
 static const struct {
     const char *name;
     int unit;
-} tr_i_seq_samplers[] = {{"tr_seed", TR_I_SCENE_DEPTH},         {"tr_rows", TR_I_OPAQUE_COLOR},
-                         {"tr_nearest_seed", TR_I_MARK},        {"tr_block_depth", TR_I_MARK},
-                         {"tr_mask_alphas", TR_I_OPAQUE_COLOR}, {"tr_remaining", TR_I_CROSSINGS},
-                         {"tr_own_depth", TR_I_SCENE_DEPTH},    {"tr_own_color", TR_I_OPAQUE_COLOR}};
+} tr_i_seq_samplers[] = {
+    {"tr_seed", TR_I_SCENE_DEPTH},        {"tr_rows", TR_I_OPAQUE_COLOR},        {"tr_nearest_seed", TR_I_MARK},
+    {"tr_block_depth", TR_I_MARK},        {"tr_mask_alphas", TR_I_OPAQUE_COLOR}, {"tr_remaining", TR_I_CROSSINGS},
+    {"tr_own_depth", TR_I_SCENE_DEPTH},   {"tr_own_color", TR_I_OPAQUE_COLOR},   {"tr_reach", TR_I_CROSSINGS},
+    {"tr_code", TR_I_OPAQUE_COLOR},       {"tr_layer_before", TR_I_FRONT_DEPTH}, {"tr_layer_now", TR_I_ODD_DEPTH},
+    {"tr_layer_even", TR_I_FRONT_DEPTH},  {"tr_layer_odd", TR_I_ODD_DEPTH},      {"tr_chain", TR_I_FRONT_OWNER},
+    {"tr_layer_alphas", TR_I_FRONT_DEPTH}};
 
 /* Points a program's samplers and block at our units and binding. The program is left in use. */
 static void tr_i_wire_program(tr_context *tr, tr_i_u program) {
@@ -5903,7 +6296,15 @@ static tr_i_format tr_i_seq_format(const tr_i_sequence *seq, int texture) {
                                          {TR_I_GL_RG8, TR_I_GL_RG, TR_I_GL_UNSIGNED_BYTE, 2}};
     static const tr_i_format colors[2] = {{TR_I_GL_RGBA16F, TR_I_GL_RGBA, TR_I_GL_FLOAT, 8},
                                           {TR_I_GL_RGBA8, TR_I_GL_RGBA, TR_I_GL_UNSIGNED_BYTE, 4}};
+    static const tr_i_format code = {TR_I_GL_R32UI, TR_I_GL_RED_INTEGER, TR_I_GL_UNSIGNED_INT, 4};
     switch (texture) {
+    case TR_I_SEQ_CODE:
+    case TR_I_SEQ_CHAIN:
+        return code;
+    case TR_I_SEQ_LAYER_COLOR: /* light has more dark than 8 bits hold */
+        return colors[seq->eight_bits || !seq->light];
+    case TR_I_SEQ_LAYER_ALPHAS:
+        return colors[seq->eight_bits];
     case TR_I_SEQ_ROWS:
         return row;
     case TR_I_SEQ_NEAREST:
@@ -5919,32 +6320,40 @@ static tr_i_format tr_i_seq_format(const tr_i_sequence *seq, int texture) {
     }
 }
 
-/* Of a viewport's size and a divisor, as textures have them. */
-static void tr_i_seq_size(int texture, const int extent[3], int size[2]) {
-    int cell = extent[2];
+/* Width, height and slices (0: no array) for a viewport's width and height, a divisor and layers. */
+static void tr_i_seq_size(int texture, const int extent[4], int size[3]) {
+    int cell = extent[2], layers = extent[3];
     size[0] = texture == TR_I_SEQ_ROWS || texture == TR_I_SEQ_NEAREST ? (extent[0] + cell - 1) / cell : extent[0];
     size[1] = texture == TR_I_SEQ_NEAREST ? (extent[1] + cell - 1) / cell : extent[1];
+    size[2] = texture < TR_I_SEQ_EVEN            ? 0
+              : texture <= TR_I_SEQ_ODD          ? (layers + 1) / 2
+              : texture == TR_I_SEQ_LAYER_ALPHAS ? (layers + 3) / 4
+                                                 : layers;
 }
 
 /* Bits of the textures that the steps of this frame need. */
 static uint32_t tr_i_seq_needs(const tr_i_sequence *seq) {
-    const tr_i_step *steps = (const tr_i_step *)seq->steps.items;
-    uint32_t needs = 1u << TR_I_SEQ_SEED | 1u << TR_I_SEQ_ROWS | 1u << TR_I_SEQ_NEAREST | 1u << TR_I_SEQ_ALPHAS;
-    if (seq->steps.count > 1 && steps[1].kind == (uint8_t)TR_PASS_BLOCK)
+    uint32_t needs = 1u << TR_I_SEQ_SEED | 1u << TR_I_SEQ_ROWS | 1u << TR_I_SEQ_NEAREST;
+    if (seq->has_block)
         needs |= 1u << TR_I_SEQ_BLOCK;
+    if (seq->exact)
+        return needs | 1u << TR_I_SEQ_REACH | 1u << TR_I_SEQ_CODE | 1u << TR_I_SEQ_EVEN | 1u << TR_I_SEQ_ODD |
+               1u << TR_I_SEQ_CHAIN | 1u << TR_I_SEQ_LAYER_COLOR | 1u << TR_I_SEQ_LAYER_ALPHAS;
+    needs |= 1u << TR_I_SEQ_ALPHAS;
     if (seq->counted)
         needs |= 1u << TR_I_SEQ_OWN_COLOR | 1u << TR_I_SEQ_OWN_DEPTH | 1u << TR_I_SEQ_REMAINING;
     return needs;
 }
 
-static uint64_t tr_i_seq_bytes(const tr_i_sequence *seq, uint32_t textures, const int extent[3]) {
+static uint64_t tr_i_seq_bytes(const tr_i_sequence *seq, uint32_t textures, const int extent[4]) {
     uint64_t bytes = 0;
-    int i, size[2];
+    int i, size[3];
     for (i = 0; i < TR_I_SEQ_TEXTURE_COUNT; ++i) {
         if (!(textures >> i & 1u))
             continue;
         tr_i_seq_size(i, extent, size);
-        bytes += (uint64_t)size[0] * (uint64_t)size[1] * tr_i_seq_format(seq, i).bytes;
+        bytes +=
+            (uint64_t)size[0] * (uint64_t)size[1] * (uint64_t)(size[2] ? size[2] : 1) * tr_i_seq_format(seq, i).bytes;
     }
     return bytes;
 }
@@ -5972,7 +6381,7 @@ static void tr_i_drop_array(tr_context *tr, tr_i_array *array) {
 /* All but programs. */
 static void tr_i_drop_sequence(tr_context *tr) {
     tr_i_sequence *seq = &tr->seq;
-    tr_i_array *arrays[9];
+    tr_i_array *arrays[10];
     int i;
     arrays[0] = &seq->ranks;
     arrays[1] = &seq->by_group;
@@ -5983,7 +6392,8 @@ static void tr_i_drop_sequence(tr_context *tr) {
     arrays[6] = &seq->items;
     arrays[7] = &seq->steps;
     arrays[8] = &seq->blocks;
-    for (i = 0; i < 9; ++i)
+    arrays[9] = &seq->tied;
+    for (i = 0; i < 10; ++i)
         tr_i_drop_array(tr, arrays[i]);
     tr_i_drop_seq_textures(tr);
     if (seq->buffer)
@@ -5992,73 +6402,121 @@ static void tr_i_drop_sequence(tr_context *tr) {
     seq->buffer_size = 0;
 }
 
+/* The unit that a texture is read from, where it is read from one alone. */
+static int tr_i_seq_unit(int texture) {
+    static const int units[TR_I_SEQ_TEXTURE_COUNT] = {
+        TR_I_SCENE_DEPTH,  TR_I_OPAQUE_COLOR, TR_I_MARK,        TR_I_MARK,        TR_I_OPAQUE_COLOR,
+        TR_I_OPAQUE_COLOR, TR_I_SCENE_DEPTH,  TR_I_CROSSINGS,   TR_I_CROSSINGS,   TR_I_OPAQUE_COLOR,
+        TR_I_FRONT_DEPTH,  TR_I_ODD_DEPTH,    TR_I_FRONT_OWNER, TR_I_LAYER_COLOR, TR_I_FRONT_DEPTH};
+    return units[texture];
+}
+
 static void tr_i_make_seq_texture(tr_context *tr, int index) {
     const tr_i_gl *gl = &tr->gl;
     tr_i_format format = tr_i_seq_format(&tr->seq, index);
-    int size[2];
+    int size[3], unit = tr_i_seq_unit(index);
+    tr_i_u target = tr_i_targets[unit];
     tr_i_seq_size(index, tr->seq.extent, size);
-    gl->ActiveTexture(TR_I_GL_TEXTURE0 + (tr_i_u)(tr->desc.first_texture_unit + TR_I_SCENE_DEPTH));
+    gl->ActiveTexture(TR_I_GL_TEXTURE0 + (tr_i_u)(tr->desc.first_texture_unit + unit));
     gl->GenTextures(1, &tr->seq.textures[index]);
-    gl->BindTexture(TR_I_GL_TEXTURE_2D, tr->seq.textures[index]);
-    gl->TexImage2D(TR_I_GL_TEXTURE_2D, 0, (int32_t)format.internal, size[0], size[1], 0, format.format, format.type, 0);
-    gl->TexParameteri(TR_I_GL_TEXTURE_2D, TR_I_GL_TEXTURE_MIN_FILTER, TR_I_GL_NEAREST);
-    gl->TexParameteri(TR_I_GL_TEXTURE_2D, TR_I_GL_TEXTURE_MAG_FILTER, TR_I_GL_NEAREST);
-    gl->TexParameteri(TR_I_GL_TEXTURE_2D, TR_I_GL_TEXTURE_WRAP_S, TR_I_GL_CLAMP_TO_EDGE);
-    gl->TexParameteri(TR_I_GL_TEXTURE_2D, TR_I_GL_TEXTURE_WRAP_T, TR_I_GL_CLAMP_TO_EDGE);
+    gl->BindTexture(target, tr->seq.textures[index]);
+    if (size[2])
+        gl->TexImage3D(target, 0, (int32_t)format.internal, size[0], size[1], size[2], 0, format.format, format.type,
+                       0);
+    else
+        gl->TexImage2D(target, 0, (int32_t)format.internal, size[0], size[1], 0, format.format, format.type, 0);
+    gl->TexParameteri(target, TR_I_GL_TEXTURE_MIN_FILTER, TR_I_GL_NEAREST);
+    gl->TexParameteri(target, TR_I_GL_TEXTURE_MAG_FILTER, TR_I_GL_NEAREST);
+    gl->TexParameteri(target, TR_I_GL_TEXTURE_WRAP_S, TR_I_GL_CLAMP_TO_EDGE);
+    gl->TexParameteri(target, TR_I_GL_TEXTURE_WRAP_T, TR_I_GL_CLAMP_TO_EDGE);
 }
 
-/* What is attached to a framebuffer: depth and colour, -1: none. */
-static void tr_i_seq_attachments(int fbo, int out[2]) {
-    static const int attached[TR_I_SEQ_FBO_COUNT][2] = {{TR_I_SEQ_SEED, -1},
-                                                        {-1, TR_I_SEQ_ROWS},
-                                                        {-1, TR_I_SEQ_NEAREST},
-                                                        {TR_I_SEQ_BLOCK, -1},
-                                                        {-1, TR_I_SEQ_ALPHAS},
-                                                        {TR_I_SEQ_OWN_DEPTH, TR_I_SEQ_OWN_COLOR},
-                                                        {TR_I_SEQ_OWN_DEPTH, TR_I_SEQ_REMAINING}};
-    memcpy(out, attached[fbo], sizeof attached[fbo]);
+/* What is attached to a framebuffer: depth and two colours, -1: none; and of arrays which slice. */
+static void tr_i_seq_attachments(int fbo, int out[3], int slices[3]) {
+    static const int attached[TR_I_SEQ_FBO_PEEL][2] = {{TR_I_SEQ_SEED, -1},
+                                                       {-1, TR_I_SEQ_ROWS},
+                                                       {-1, TR_I_SEQ_NEAREST},
+                                                       {TR_I_SEQ_BLOCK, -1},
+                                                       {-1, TR_I_SEQ_ALPHAS},
+                                                       {TR_I_SEQ_OWN_DEPTH, TR_I_SEQ_OWN_COLOR},
+                                                       {TR_I_SEQ_OWN_DEPTH, TR_I_SEQ_REMAINING},
+                                                       {TR_I_SEQ_REACH, -1}};
+    int layer = (fbo - TR_I_SEQ_FBO_PEEL) % TR_I_SEQ_LAYERS;
+    slices[0] = layer / 2;
+    slices[1] = layer;
+    slices[2] = 0;
+    out[2] = -1;
+    if (fbo < TR_I_SEQ_FBO_PEEL) {
+        out[0] = attached[fbo][0];
+        out[1] = attached[fbo][1];
+        return;
+    }
+    out[0] = -1;
+    out[1] = fbo >= TR_I_SEQ_FBO_SHARE ? TR_I_SEQ_LAYER_ALPHAS : TR_I_SEQ_CHAIN;
+    if (fbo >= TR_I_SEQ_FBO_KEEP)
+        return;
+    out[0] = layer & 1 ? TR_I_SEQ_ODD : TR_I_SEQ_EVEN;
+    out[1] = TR_I_SEQ_LAYER_COLOR;
+    out[2] = TR_I_SEQ_CODE;
 }
 
 static int tr_i_make_seq_fbo(tr_context *tr, int index) {
-    static const tr_i_u points[2] = {TR_I_GL_DEPTH_ATTACHMENT, TR_I_GL_COLOR_ATTACHMENT0};
+    static const tr_i_u points[3] = {TR_I_GL_DEPTH_ATTACHMENT, TR_I_GL_COLOR_ATTACHMENT0,
+                                     TR_I_GL_COLOR_ATTACHMENT0 + 1};
     const tr_i_gl *gl = &tr->gl;
-    tr_i_u buffer;
-    int attached[2], i;
-    tr_i_seq_attachments(index, attached);
+    tr_i_u buffers[2];
+    int attached[3], slices[3], i;
+    tr_i_seq_attachments(index, attached, slices);
     gl->GenFramebuffers(1, &tr->seq.fbos[index]);
     gl->BindFramebuffer(TR_I_GL_DRAW_FRAMEBUFFER, tr->seq.fbos[index]);
     gl->BindFramebuffer(TR_I_GL_READ_FRAMEBUFFER, tr->seq.fbos[index]);
-    for (i = 0; i < 2; ++i)
-        if (attached[i] >= 0)
+    for (i = 0; i < 3; ++i) {
+        if (attached[i] >= TR_I_SEQ_EVEN)
+            gl->FramebufferTextureLayer(TR_I_GL_DRAW_FRAMEBUFFER, points[i], tr->seq.textures[attached[i]], 0,
+                                        slices[i]);
+        else if (attached[i] >= 0)
             gl->FramebufferTexture2D(TR_I_GL_DRAW_FRAMEBUFFER, points[i], TR_I_GL_TEXTURE_2D,
                                      tr->seq.textures[attached[i]], 0);
-    buffer = attached[1] >= 0 ? TR_I_GL_COLOR_ATTACHMENT0 : 0;
-    gl->DrawBuffers(1, &buffer);
-    gl->ReadBuffer(buffer);
+    }
+    for (i = 0; i < 2; ++i)
+        buffers[i] = attached[i + 1] >= 0 ? points[i + 1] : 0;
+    gl->DrawBuffers(buffers[1] ? 2 : 1, buffers);
+    gl->ReadBuffer(buffers[0]);
     return gl->CheckFramebufferStatus(TR_I_GL_DRAW_FRAMEBUFFER) == TR_I_GL_FRAMEBUFFER_COMPLETE;
 }
 
-/* Textures that are needed, and framebuffers of which all is there. */
-static int tr_i_try_seq_textures(tr_context *tr, uint32_t needs) {
-    int i, attached[2];
-    tr->gl.BindBuffer(TR_I_GL_PIXEL_UNPACK_BUFFER, 0);
-    for (i = 0; i < TR_I_SEQ_TEXTURE_COUNT; ++i)
-        if ((needs >> i & 1u) && !tr->seq.textures[i])
-            tr_i_make_seq_texture(tr, i);
-    for (i = 0; i < TR_I_SEQ_FBO_COUNT; ++i) {
-        tr_i_seq_attachments(i, attached);
-        if (tr->seq.fbos[i] || (attached[0] >= 0 && !tr->seq.textures[attached[0]]) ||
-            (attached[1] >= 0 && !tr->seq.textures[attached[1]]))
+/* Whether all that a framebuffer attaches is there. */
+static int tr_i_has_attached(const tr_i_sequence *seq, int fbo) {
+    int attached[3], slices[3], size[3], i;
+    tr_i_seq_attachments(fbo, attached, slices);
+    for (i = 0; i < 3; ++i) {
+        if (attached[i] < 0)
             continue;
-        if (!tr_i_make_seq_fbo(tr, i))
+        tr_i_seq_size(attached[i], seq->extent, size);
+        if (!seq->textures[attached[i]] || (size[2] && slices[i] >= size[2]))
             return 0;
     }
     return 1;
 }
 
+/* Textures that are needed, and framebuffers of which all is there. */
+static int tr_i_try_seq_textures(tr_context *tr, uint32_t needs) {
+    int i;
+    tr->gl.BindBuffer(TR_I_GL_PIXEL_UNPACK_BUFFER, 0);
+    for (i = 0; i < TR_I_SEQ_TEXTURE_COUNT; ++i)
+        if ((needs >> i & 1u) && !tr->seq.textures[i])
+            tr_i_make_seq_texture(tr, i);
+    for (i = 0; i < TR_I_SEQ_FBO_COUNT; ++i)
+        if (!tr->seq.fbos[i] && tr_i_has_attached(&tr->seq, i) && !tr_i_make_seq_fbo(tr, i))
+            return 0;
+    return 1;
+}
+
+/* More layers than are needed are kept. */
 static int tr_i_seq_misfits(const tr_context *tr) {
     const tr_i_sequence *seq = &tr->seq;
-    return memcmp(seq->extent, seq->wanted, sizeof seq->extent) != 0;
+    return memcmp(seq->extent, seq->wanted, 3 * sizeof seq->extent[0]) != 0 || seq->extent[3] < seq->wanted[3] ||
+           seq->light != seq->made_for_light;
 }
 
 /* Contexts that cannot draw into textures of floats (ES 3.0 without an extension) say so by an incomplete framebuffer. */
@@ -6069,7 +6527,10 @@ static tr_result tr_i_make_seq_textures(tr_context *tr) {
     for (tries = 0; tries < 2; ++tries) {
         if (tr_i_seq_misfits(tr))
             tr_i_drop_seq_textures(tr);
-        memcpy(seq->extent, seq->wanted, sizeof seq->extent);
+        if (seq->extent[3] < seq->wanted[3] || seq->extent[0] == 0)
+            seq->extent[3] = seq->wanted[3];
+        memcpy(seq->extent, seq->wanted, 3 * sizeof seq->extent[0]);
+        seq->made_for_light = seq->light;
         if (tr_i_try_seq_textures(tr, needs))
             return TR_OK;
         tr_i_drop_seq_textures(tr);
@@ -7724,6 +8185,55 @@ static tr_result tr_i_prepare_see(tr_context *tr) {
 
 /* ---- dynamic transparency: a frame of a sequence ---- */
 
+/* Each run's masks, by a step of the given kind: `step` is what a step of SHARE has as its layer. */
+static void tr_i_add_boxes(tr_context *tr, tr_pass_kind kind, uint32_t run, int layer, int clear) {
+    const tr_i_sequence *seq = &tr->seq;
+    uint32_t count = ((const tr_i_item *)seq->items.items)[run].count;
+    tr_i_step *step = tr_i_add_step(tr, kind, TR_RULE_SEE_PLAIN, 0, count);
+    step->block = kind == TR_PASS_SHARE ? run * (TR_I_SEQ_LAYERS / 4) + (uint32_t)layer : run * (TR_I_SEQ_LAYERS / 4);
+    step->layer = (uint8_t)layer;
+    step->clear = (uint8_t)clear;
+}
+
+/* All passes of TR_SEE_EXACT: how far masks look, layer after layer up to there, what masks make of these. The distances of
+   a run are found anew where another run has taken their place. */
+static void tr_i_add_exact_steps(tr_context *tr, const tr_dynamic *dynamic) {
+    tr_i_sequence *seq = &tr->seq;
+    size_t first = seq->list.count, blocks, units;
+    uint32_t run, stride = TR_I_SEQ_LAYERS / 4;
+    int i;
+    seq->steps.count = 0;
+    tr_i_add_step(tr, TR_PASS_SCENE, TR_RULE_SEE_PLAIN, 0, seq->scene.count);
+    blocks = tr_i_list_meeting(tr, dynamic, &seq->tied, 1);
+    if (blocks)
+        tr_i_add_step(tr, TR_PASS_BLOCK, TR_RULE_SEE_DEPTH, first, blocks)->clear = 1;
+    seq->has_block = blocks != 0;
+    for (run = 0; run < seq->runs; ++run) {
+        tr_i_item item = ((const tr_i_item *)seq->items.items)[run];
+        tr_i_add_distances(tr, &item, run * stride, 1);
+        tr_i_add_boxes(tr, TR_PASS_REACH, run, 0, run == 0);
+    }
+    first = seq->list.count;
+    units = tr_i_list_meeting(tr, dynamic, &seq->tied, 0);
+    for (i = 0; i < seq->peeled; ++i) {
+        tr_i_step *peel = tr_i_add_step(tr, TR_PASS_PEEL_UNITS, TR_RULE_SEE_PEEL, first, units), *keep;
+        peel->clear = 1;
+        peel->layer = (uint8_t)i;
+        peel->block = seq->runs * stride + (uint32_t)i;
+        keep = tr_i_add_step(tr, TR_PASS_KEEP, TR_RULE_SEE_PLAIN, 0, 0);
+        keep->layer = (uint8_t)i;
+        keep->block = seq->runs * stride + (uint32_t)i;
+    }
+    for (run = 0; run < seq->runs; ++run) {
+        tr_i_item item = ((const tr_i_item *)seq->items.items)[run];
+        if (seq->runs > 1)
+            tr_i_add_distances(tr, &item, run * stride, 1);
+        for (i = 0; 4 * i < seq->peeled; ++i)
+            tr_i_add_boxes(tr, TR_PASS_SHARE, run, i, run == 0);
+    }
+    tr_i_add_step(tr, TR_PASS_COMPOSE_LAYERS, TR_RULE_SEE_PLAIN, 0, 0);
+}
+
 /* A copy of the uniform block for each run of masks. */
 static void tr_i_fill_seq_block(const tr_i_sequence *seq, const tr_frame *frame, const tr_dynamic *dynamic,
                                 const tr_i_law *law, tr_i_seq_block *block) {
@@ -7748,7 +8258,11 @@ static void tr_i_fill_seq_block(const tr_i_sequence *seq, const tr_frame *frame,
     block->numbers[3] = (int32_t)dynamic->light_count;
     block->step[1] = seq->product;
     block->step[2] = seq->published;
-    block->step[3] = seq->counted;
+    block->step[3] = seq->counted && !seq->exact;
+    block->more[0] = seq->peeled;
+    block->more[1] = seq->whole;
+    block->more[2] = seq->has_block;
+    block->more[3] = !seq->each;
     for (i = 0; i < dynamic->light_count; ++i) {
         const tr_light *light = &dynamic->lights[i];
         block->lights[i][0] = light->x;
@@ -7768,27 +8282,41 @@ static void tr_i_fill_masks(const tr_i_sequence *seq, const tr_i_item *item, tr_
         block->masks[i][4] = mask->strength;
         block->masks[i][5] = mask->active;
         block->masks[i][6] = mask->importance;
+        block->masks[i][7] = mask->id;
     }
 }
 
+static void tr_i_push_block(tr_context *tr, const tr_i_seq_block *block) {
+    unsigned char *copy = (unsigned char *)tr_i_push(tr, &tr->seq.blocks, TR_I_SEQ_STRIDE);
+    if (!copy) {
+        tr->seq.no_memory = 1;
+        return;
+    }
+    memset(copy, 0, TR_I_SEQ_STRIDE);
+    memcpy(copy, block, sizeof *block);
+}
+
+/* One a run; of TR_SEE_EXACT one for each four layers of a run, and one a layer. */
 static void tr_i_add_blocks(tr_context *tr, const tr_frame *frame, const tr_dynamic *dynamic) {
     tr_i_sequence *seq = &tr->seq;
     tr_i_seq_block block;
     size_t i;
+    int layer;
     tr_i_fill_seq_block(seq, frame, dynamic, &tr->see.law, &block);
     seq->blocks.count = 0;
     for (i = 0; i < seq->items.count; ++i) {
         const tr_i_item *item = (const tr_i_item *)seq->items.items + i;
-        unsigned char *copy = item->masks ? (unsigned char *)tr_i_push(tr, &seq->blocks, TR_I_SEQ_STRIDE) : 0;
         if (!item->masks)
             continue;
-        if (!copy) {
-            seq->no_memory = 1;
-            return;
-        }
         tr_i_fill_masks(seq, item, &block);
-        memset(copy, 0, TR_I_SEQ_STRIDE);
-        memcpy(copy, &block, sizeof block);
+        for (layer = 0; layer < (seq->exact ? TR_I_SEQ_LAYERS / 4 : 1); ++layer) {
+            block.step[0] = layer;
+            tr_i_push_block(tr, &block);
+        }
+    }
+    for (layer = 0; seq->exact && layer < seq->peeled; ++layer) {
+        block.step[0] = layer;
+        tr_i_push_block(tr, &block);
     }
 }
 
@@ -7810,6 +8338,14 @@ static int tr_i_seq_program(const tr_i_sequence *seq, const tr_i_step *step) {
         return TR_I_PROGRAM_SEQUENCE + TR_I_SEQ_MASK + seq->published + 2 * together;
     case TR_PASS_PAINT_OVER:
         return TR_I_PROGRAM_SEQUENCE + TR_I_SEQ_OVER;
+    case TR_PASS_REACH:
+        return TR_I_PROGRAM_SEQUENCE + TR_I_SEQ_DEPTHS;
+    case TR_PASS_KEEP:
+        return TR_I_PROGRAM_SEQUENCE + TR_I_SEQ_KEEP;
+    case TR_PASS_SHARE:
+        return TR_I_PROGRAM_SEQUENCE + TR_I_SEQ_SHARE;
+    case TR_PASS_COMPOSE_LAYERS:
+        return TR_I_PROGRAM_SEQUENCE + TR_I_SEQ_COMPOSE;
     default:
         return -1;
     }
@@ -7871,10 +8407,13 @@ static void tr_i_take_wishes(tr_context *tr, const tr_dynamic *dynamic) {
     seq->product = seq->published || dynamic->combine == TR_MASK_PRODUCT;
     seq->each = seq->published || dynamic->occluders == TR_OCCLUDERS_EACH;
     seq->layers = dynamic->layers;
-    seq->counted = !seq->each || seq->layers > 0;
+    seq->counted = !seq->exact && (!seq->each || seq->layers > 0);
     seq->wanted[0] = tr->frame.width;
     seq->wanted[1] = tr->frame.height;
     seq->wanted[2] = law->divisor;
+    seq->wanted[3] = 0;
+    seq->exact = dynamic->see == TR_SEE_EXACT;
+    seq->light = (tr->frame.wishes.options & TR_WISH_SRGB) != 0;
     seq->reach = law->reach;
     seq->grow = law->reach + 2 * law->divisor;
 }
@@ -7894,7 +8433,12 @@ static void tr_i_plan_step(tr_see_plan *plan, const tr_i_sequence *seq, const tr
                 {TR_PASS_PAINT_DEPTH, "front-most surfaces of solid units"},
                 {TR_PASS_PAINT, "units that masks may make transparent, back to front"},
                 {TR_PASS_COUNT, "occluders are counted, to share a mask or for layer control"},
-                {TR_PASS_PAINT_OVER, "from a target of our own to the host's"}};
+                {TR_PASS_PAINT_OVER, "from a target of our own to the host's"},
+                {TR_PASS_REACH, "how far masks look through"},
+                {TR_PASS_PEEL_UNITS, "the next layer up to there, of all units that meet masks"},
+                {TR_PASS_KEEP, "whose the layer is"},
+                {TR_PASS_SHARE, "what masks leave of the opacity of four layers"},
+                {TR_PASS_COMPOSE_LAYERS, "layers, front to back, over the scene"}};
     size_t i;
     int at;
     for (at = 0; at < plan->pass_count && plan->passes[at].kind != (tr_pass_kind)step->kind;)
@@ -7919,16 +8463,31 @@ static void tr_i_plan_sequence(tr_context *tr, const tr_dynamic *dynamic) {
     plan->bytes = 0;
     plan->masks = seq->pending;
     if (seq->blocks.count == 0) {
-        tr_i_plan_plain(&tr->see, plan->targets_in_view ? "nothing that yields is painted over a target"
-                                                        : "no target is in view");
+        tr_i_plan_plain(&tr->see,
+                        plan->targets_in_view ? "nothing that yields lies before a target" : "no target is in view");
         return;
     }
     plan->see = dynamic->see;
-    plan->why = seq->eight_bits ? "something that yields is painted over a target; masks of 8 bits"
-                                : "something that yields is painted over a target; masks of floats";
+    plan->why = seq->eight_bits ? "something that yields lies before a target; masks of 8 bits"
+                                : "something that yields lies before a target; masks of floats";
+    plan->layers = seq->exact ? (uint32_t)seq->peeled : 0;
+    plan->layer_bound = seq->exact ? (uint32_t)seq->layer_bound : 0;
+    plan->runs = (uint32_t)(seq->exact ? seq->runs : seq->blocks.count);
     plan->bytes = tr_i_seq_bytes(seq, tr_i_seq_needs(seq), seq->wanted);
     for (i = 0; i < seq->steps.count; ++i)
         tr_i_plan_step(plan, seq, (const tr_i_step *)seq->steps.items + i);
+}
+
+/* The rectangle of all masks, to which passes are cut. */
+static void tr_i_bound_masks(tr_i_sequence *seq) {
+    const tr_i_mask *masks = (const tr_i_mask *)seq->masks.items;
+    size_t i;
+    int k;
+    memset(seq->bounds, 0, sizeof seq->bounds);
+    for (i = 0; i < seq->masks.count; ++i)
+        for (k = 0; k < 4; ++k)
+            if (i == 0 || (k < 2 ? masks[i].box[k] < seq->bounds[k] : masks[i].box[k] > seq->bounds[k]))
+                seq->bounds[k] = masks[i].box[k];
 }
 
 /* Lists and steps; no GL. */
@@ -7940,9 +8499,17 @@ static tr_result tr_i_arrange_sequence(tr_context *tr, const tr_frame *frame, co
     tr_i_take_wishes(tr, dynamic);
     if (!tr_i_order_units(tr, seq, dynamic))
         return tr_i_fail(&tr->desc, TR_OUT_OF_MEMORY, "dynamic.units");
-    tr_i_arrange_units(tr, dynamic, size);
+    if (seq->exact) {
+        tr_i_arrange_masks(tr, dynamic, size);
+        tr_i_sort_masks(tr);
+        tr_i_add_exact_steps(tr, dynamic);
+        seq->wanted[3] = seq->peeled;
+    } else {
+        tr_i_arrange_units(tr, dynamic, size);
+        tr_i_add_steps(tr, dynamic);
+    }
+    tr_i_bound_masks(seq);
     tr_i_add_blocks(tr, frame, dynamic);
-    tr_i_add_steps(tr, dynamic);
     if (seq->no_memory)
         return tr_i_fail(&tr->desc, TR_OUT_OF_MEMORY, "dynamic.units");
     tr_i_plan_sequence(tr, dynamic);
@@ -8197,7 +8764,7 @@ static void tr_i_bind_step(const tr_i_sequence *seq, const tr_i_step *step, tr_s
         state->texture_targets[i] = tr_i_targets[i];
     switch ((tr_pass_kind)step->kind) {
     case TR_PASS_SEEDS:
-        state->textures[TR_I_MARK] = step->rule == (uint8_t)TR_RULE_SEE_SEED ? textures[TR_I_SEQ_BLOCK] : 0;
+        state->textures[TR_I_MARK] = seq->has_block ? textures[TR_I_SEQ_BLOCK] : 0;
         break;
     case TR_PASS_ROWS:
         state->textures[TR_I_SCENE_DEPTH] = textures[TR_I_SEQ_SEED];
@@ -8218,6 +8785,34 @@ static void tr_i_bind_step(const tr_i_sequence *seq, const tr_i_step *step, tr_s
     case TR_PASS_PAINT_OVER:
         state->textures[TR_I_SCENE_DEPTH] = textures[TR_I_SEQ_OWN_DEPTH];
         state->textures[TR_I_OPAQUE_COLOR] = textures[TR_I_SEQ_OWN_COLOR];
+        break;
+    case TR_PASS_REACH:
+        state->textures[TR_I_SCENE_DEPTH] = textures[TR_I_SEQ_SEED];
+        state->textures[TR_I_MARK] = textures[TR_I_SEQ_NEAREST];
+        break;
+    case TR_PASS_PEEL_UNITS:
+        state->textures[TR_I_FRONT_DEPTH] = textures[step->layer & 1 ? TR_I_SEQ_EVEN : TR_I_SEQ_ODD];
+        state->textures[TR_I_FRONT_OWNER] = textures[TR_I_SEQ_CHAIN];
+        state->textures[TR_I_CROSSINGS] = textures[TR_I_SEQ_REACH];
+        break;
+    case TR_PASS_KEEP:
+        state->textures[TR_I_FRONT_DEPTH] = textures[step->layer & 1 ? TR_I_SEQ_EVEN : TR_I_SEQ_ODD];
+        state->textures[TR_I_ODD_DEPTH] = textures[step->layer & 1 ? TR_I_SEQ_ODD : TR_I_SEQ_EVEN];
+        state->textures[TR_I_OPAQUE_COLOR] = textures[TR_I_SEQ_CODE];
+        state->textures[TR_I_CROSSINGS] = textures[TR_I_SEQ_REACH];
+        break;
+    case TR_PASS_SHARE:
+        state->textures[TR_I_FRONT_DEPTH] = textures[TR_I_SEQ_EVEN];
+        state->textures[TR_I_ODD_DEPTH] = textures[TR_I_SEQ_ODD];
+        state->textures[TR_I_FRONT_OWNER] = textures[TR_I_SEQ_CHAIN];
+        state->textures[TR_I_SCENE_DEPTH] = textures[TR_I_SEQ_SEED];
+        state->textures[TR_I_MARK] = textures[TR_I_SEQ_NEAREST];
+        break;
+    case TR_PASS_COMPOSE_LAYERS:
+        state->textures[TR_I_FRONT_DEPTH] = textures[TR_I_SEQ_LAYER_ALPHAS];
+        state->textures[TR_I_FRONT_OWNER] = textures[TR_I_SEQ_CHAIN];
+        state->textures[TR_I_LAYER_COLOR] = textures[TR_I_SEQ_LAYER_COLOR];
+        state->textures[TR_I_CROSSINGS] = textures[TR_I_SEQ_REACH];
         break;
     default:
         break;
@@ -8245,29 +8840,60 @@ static int tr_i_step_fbo(const tr_i_step *step) {
         return !step->own ? -1 : step->subtract ? TR_I_SEQ_FBO_OWN : TR_I_SEQ_FBO_COUNTS;
     case TR_PASS_PAINT:
         return step->own ? TR_I_SEQ_FBO_OWN : -1;
+    case TR_PASS_REACH:
+        return TR_I_SEQ_FBO_REACH;
+    case TR_PASS_PEEL_UNITS:
+        return TR_I_SEQ_FBO_PEEL + step->layer;
+    case TR_PASS_KEEP:
+        return TR_I_SEQ_FBO_KEEP + step->layer;
+    case TR_PASS_SHARE:
+        return TR_I_SEQ_FBO_SHARE + step->layer;
     default:
         return -1;
     }
 }
 
+/* Viewport, and scissor to where masks are, in texels of what is drawn into. */
+static void tr_i_step_extent(const tr_i_sequence *seq, int fbo, tr_state *state) {
+    int attached[3], slices[3], size[3], texture, across, up;
+    const int *box = seq->bounds;
+    tr_i_seq_attachments(fbo, attached, slices);
+    texture = attached[1] >= 0 ? attached[1] : attached[0];
+    tr_i_seq_size(texture, seq->extent, size);
+    across = texture == TR_I_SEQ_ROWS || texture == TR_I_SEQ_NEAREST ? seq->extent[2] : 1;
+    up = texture == TR_I_SEQ_NEAREST ? seq->extent[2] : 1;
+    state->viewport[2] = size[0];
+    state->viewport[3] = size[1];
+    /* Boxes of cells reach a cell further; what units are painted into, and what they read there, is whole. */
+    if (across > 1 || fbo == TR_I_SEQ_FBO_ALPHAS || fbo == TR_I_SEQ_FBO_OWN || fbo == TR_I_SEQ_FBO_COUNTS)
+        return;
+    state->scissor[0] = box[0] / across;
+    state->scissor[1] = box[1] / up;
+    state->scissor[2] = (box[2] + across - 1) / across - state->scissor[0];
+    state->scissor[3] = (box[3] + up - 1) / up - state->scissor[1];
+}
+
 static void tr_i_place_step(const tr_context *tr, const tr_i_step *step, tr_state *state) {
     const tr_i_sequence *seq = &tr->seq;
-    int fbo = tr_i_step_fbo(step), program = tr_i_seq_program(seq, step), size[2], attached[2];
+    int fbo = tr_i_step_fbo(step), program = tr_i_seq_program(seq, step);
+    tr_pass_kind kind = (tr_pass_kind)step->kind;
     state->framebuffer = fbo >= 0 ? seq->fbos[fbo] : tr->frame.framebuffer;
     state->viewport[0] = fbo >= 0 ? 0 : tr->frame.x;
     state->viewport[1] = fbo >= 0 ? 0 : tr->frame.y;
     state->viewport[2] = tr->frame.width;
     state->viewport[3] = tr->frame.height;
-    if (fbo >= 0) {
-        tr_i_seq_attachments(fbo, attached);
-        tr_i_seq_size(attached[1] >= 0 ? attached[1] : attached[0], seq->extent, size);
-        state->viewport[2] = size[0];
-        state->viewport[3] = size[1];
+    if (kind == TR_PASS_COMPOSE_LAYERS) {
+        state->scissor[0] = tr->frame.x + seq->bounds[0];
+        state->scissor[1] = tr->frame.y + seq->bounds[1];
+        state->scissor[2] = seq->bounds[2] - seq->bounds[0];
+        state->scissor[3] = seq->bounds[3] - seq->bounds[1];
+    } else if (fbo >= 0) {
+        tr_i_step_extent(seq, fbo, state);
     }
     state->program = tr->programs[tr_i_step_program(seq, step)].name;
     if (program >= 0) {
         state->vertex_array = tr->vertex_array;
-        state->vertex_count = step->kind == (uint8_t)TR_PASS_PAINT_OVER ? 3 : 6 * (int)step->count;
+        state->vertex_count = step->count ? 6 * (int)step->count : 3;
     }
     state->first_texture_unit = tr->desc.first_texture_unit;
     tr_i_bind_step(seq, step, state);
@@ -8282,6 +8908,7 @@ static void tr_i_blend_step(const tr_i_sequence *seq, const tr_i_step *step, tr_
     state->blend = 1;
     switch ((tr_pass_kind)step->kind) {
     case TR_PASS_MASKS:
+    case TR_PASS_SHARE:
         state->blend_equation = seq->product ? 0 : TR_I_GL_MIN;
         state->blend_source = state->blend_source_alpha = seq->product ? TR_I_GL_ZERO : TR_I_GL_ONE;
         state->blend_destination = state->blend_destination_alpha = seq->product ? TR_I_GL_SRC_COLOR : TR_I_GL_ONE;
@@ -8297,6 +8924,10 @@ static void tr_i_blend_step(const tr_i_sequence *seq, const tr_i_step *step, tr_
         state->blend_source_alpha = step->own ? TR_I_GL_ONE : TR_I_GL_ZERO;
         state->blend_destination_alpha = step->own ? TR_I_GL_ONE_MINUS_SRC_ALPHA : TR_I_GL_ONE;
         break;
+    case TR_PASS_COMPOSE_LAYERS:
+        state->blend_source_alpha = TR_I_GL_ZERO;
+        state->blend_destination_alpha = TR_I_GL_ONE;
+        break;
     case TR_PASS_PAINT_OVER:
         state->blend_source = TR_I_GL_ONE;
         state->blend_destination = TR_I_GL_ONE_MINUS_SRC_ALPHA;
@@ -8309,33 +8940,40 @@ static void tr_i_blend_step(const tr_i_sequence *seq, const tr_i_step *step, tr_
     }
 }
 
+static void tr_i_clear_step(tr_pass_kind kind, int reversed, int colors, tr_state *state) {
+    int nearest = kind == TR_PASS_REACH, i;
+    state->clear_color = kind == TR_PASS_MASKS || kind == TR_PASS_SHARE || kind == TR_PASS_PAINT_DEPTH;
+    state->clear_depth = !colors;
+    state->clear_depth_value = reversed == nearest ? 1.0f : 0.0f;
+    for (i = 0; i < 4 && colors; ++i)
+        state->clear_color_value[i] = 1.0f;
+}
+
 static void tr_i_test_step(const tr_context *tr, const tr_i_step *step, tr_state *state) {
     int reversed = tr->desc.reversed_z;
     tr_i_u nearer = reversed ? TR_I_GL_GREATER : TR_I_GL_LESS;
     tr_pass_kind kind = (tr_pass_kind)step->kind;
-    int colors = kind == TR_PASS_ROWS || kind == TR_PASS_NEAREST || kind == TR_PASS_MASKS;
+    int colors = kind == TR_PASS_ROWS || kind == TR_PASS_NEAREST || kind == TR_PASS_MASKS || kind == TR_PASS_KEEP ||
+                 kind == TR_PASS_SHARE || kind == TR_PASS_COMPOSE_LAYERS;
     int later = kind == TR_PASS_PAINT || kind == TR_PASS_COUNT;
     state->blend_source = state->blend_source_alpha = TR_I_GL_ONE;
     state->front_face = tr->desc.front_face_cw ? TR_I_GL_CW : TR_I_GL_CCW;
-    state->color_write = colors || later || kind == TR_PASS_PAINT_OVER;
+    state->color_write = colors || later || kind == TR_PASS_PAINT_OVER || kind == TR_PASS_PEEL_UNITS;
     state->depth_test = state->depth_write = !colors;
     state->depth_func = nearer;
-    state->cull_face = step->hollow ? TR_I_GL_BACK : 0; /* of hollow units each face toward the eye counts */
+    state->cull_face = tr_i_seq_program(&tr->seq, step) < 0 ? TR_I_GL_BACK : 0;
     if (kind == TR_PASS_WIPE || kind == TR_PASS_PAINT_OVER)
         state->depth_func = kind == TR_PASS_WIPE ? TR_I_GL_ALWAYS : reversed ? TR_I_GL_GEQUAL : TR_I_GL_LEQUAL;
+    if (kind == TR_PASS_REACH)
+        state->depth_func = reversed ? TR_I_GL_LESS : TR_I_GL_GREATER;
     if (later && !step->hollow) {
         state->depth_func = TR_I_GL_EQUAL;
         state->depth_write = 0;
     }
     if (kind == TR_PASS_COUNT && step->hollow && step->subtract)
         state->depth_write = 0;
-    if (step->clear) {
-        state->clear_color = kind != TR_PASS_BLOCK;
-        state->clear_depth = !colors;
-        state->clear_depth_value = reversed ? 0.0f : 1.0f;
-        if (kind == TR_PASS_MASKS)
-            state->clear_color_value[0] = state->clear_color_value[1] = 1.0f;
-    }
+    if (step->clear)
+        tr_i_clear_step(kind, reversed, colors, state);
     tr_i_blend_step(&tr->seq, step, state);
 }
 

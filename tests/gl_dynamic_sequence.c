@@ -183,6 +183,15 @@ static void random_scenes(void **state) {
         {"hollow together", TR_SEE_SEQUENCE, HOLLOWS, REF_DYN_MIN, REF_DYN_TOGETHER, 0, 1, false, false, false, 2},
         {"importances", TR_SEE_SEQUENCE, IMPORTANCES, REF_DYN_MIN, REF_DYN_TOGETHER, 0, 1, false, false, false, 2},
         {"one layer", TR_SEE_SEQUENCE, SOLIDS, REF_DYN_MIN, REF_DYN_TOGETHER, 1, 1, false, false, false, 2},
+        {"exact together", TR_SEE_EXACT, SOLIDS, REF_DYN_MIN, REF_DYN_TOGETHER, 0, 1, false, false, false, 2},
+        {"exact each", TR_SEE_EXACT, SOLIDS, REF_DYN_MIN, REF_DYN_EACH, 0, 1, false, false, false, 2},
+        {"exact product", TR_SEE_EXACT, SOLIDS, REF_DYN_PRODUCT, REF_DYN_TOGETHER, 0, 1, false, false, false, 2},
+        {"exact impenetrable", TR_SEE_EXACT, IMPENETRABLES | BACKDROPS, REF_DYN_MIN, REF_DYN_TOGETHER, 0, 1, false,
+         false, false, 2},
+        {"exact importances", TR_SEE_EXACT, IMPORTANCES, REF_DYN_MIN, REF_DYN_TOGETHER, 0, 1, false, false, false, 2},
+        {"exact hollow", TR_SEE_EXACT, HOLLOWS, REF_DYN_MIN, REF_DYN_TOGETHER, 0, 1, false, false, false, 2},
+        {"exact one layer", TR_SEE_EXACT, SOLIDS, REF_DYN_MIN, REF_DYN_TOGETHER, 1, 1, false, false, false, 2},
+        {"exact three layers", TR_SEE_EXACT, IMPENETRABLES, REF_DYN_MIN, REF_DYN_EACH, 3, 1, false, false, false, 2},
         {"two layers each", TR_SEE_SEQUENCE, IMPENETRABLES, REF_DYN_MIN, REF_DYN_EACH, 2, 1, false, false, false, 2},
     };
     (void)state;
