@@ -2008,7 +2008,7 @@ static const char *const tr_i_shader_seq_keep_frag[] = {
     "        discard;\n"
     "    if (depth == TR_CLEAR_DEPTH)\n"
     "        code = TR_LAYER_LAST | TR_LAYER_NONE;\n"
-    "    else if ((code & TR_CODE_CLOSES) != 0u || !TR_NEARER(depth, reach))\n"
+    "    else if (!TR_NEARER(depth, reach))\n"
     "        code |= TR_LAYER_LAST;\n"
     "    if (layer > 0 && depth == texelFetch(tr_layer_before, ivec3(pixel, (layer - 1) >> 1), 0).r)\n"
     "        code |= TR_LAYER_COINCIDENT;\n"
@@ -2020,7 +2020,7 @@ static const char *const tr_i_shader_seq_layers_glsl[] = {
     "// For: transparency.h\n"
     "// Layers of TR_SEE_EXACT: whose each is, front to back. The codes of units, with what is known of the layer in bits that\n"
     "// those leave free.\n"
-    "#define TR_LAYER_LAST (1u << 21)       // nothing behind it can be seen, or there is nothing\n"
+    "#define TR_LAYER_LAST (1u << 21)       // no mask looks through it, or there is nothing\n"
     "#define TR_LAYER_NONE (1u << 22)       // there is none\n"
     "#define TR_LAYER_COINCIDENT (1u << 23) // at the same depth as the one before\n"
     "\n"
@@ -4838,14 +4838,35 @@ static int tr_i_bound_layers(const tr_i_sequence *seq, const tr_dynamic *dynamic
         if (places[masks[i].unit].last > last && tr_i_boxes_meet(masks[i].reach, masks[index].reach))
             last = places[masks[i].unit].last;
     for (i = 0; i < dynamic->unit_count && layers < most; ++i) {
-        tr_unit unit;
+        tr_unit unit = tr_i_unit_at(dynamic, i);
         if (i == masks[index].unit || !tr_i_box_of(places, i, box) || !tr_i_boxes_meet(box, masks[index].reach) ||
             !(places[i].first < last))
             continue;
-        unit = tr_i_unit_at(dynamic, i);
-        layers += !tr_i_seq_yields(&unit) ? 0 : unit.flags & TR_UNIT_HOLLOW ? 4 : 1;
+        layers += unit.flags & TR_UNIT_HOLLOW ? 4 : 1;
     }
     return layers;
+}
+
+/* Whether some layer within masks stays opaque for another reason than layer control: occluders behind it are not seen, but
+   share a mask all the same. */
+static int tr_i_some_stay(const tr_i_sequence *seq, const tr_dynamic *dynamic, const tr_i_place *places) {
+    const tr_i_mask *masks = (const tr_i_mask *)seq->masks.items;
+    float least = 1.0f;
+    size_t i, k;
+    int box[4];
+    for (i = 0; i < seq->masks.count; ++i)
+        least = masks[i].importance < least ? masks[i].importance : least;
+    for (i = 0; i < dynamic->unit_count; ++i) {
+        tr_unit unit = tr_i_unit_at(dynamic, i);
+        if (!tr_i_box_of(places, i, box) || !tr_i_meets_masks(seq, 0, box))
+            continue;
+        for (k = 0; k < seq->masks.count && masks[k].unit != i;)
+            ++k;
+        if (k == seq->masks.count && ((unit.flags & (TR_UNIT_TARGET | TR_UNIT_IMPENETRABLE | TR_UNIT_BACKDROP)) ||
+                                      tr_i_importance_of(&unit) >= least))
+            return 1;
+    }
+    return 0;
 }
 
 /* How many layers to peel. The last place is for what ends a pixel; layer control of masks that do not overlap needs no
@@ -4860,7 +4881,8 @@ static void tr_i_count_layers(tr_i_sequence *seq, const tr_dynamic *dynamic, con
     seq->layer_bound = bound + 1;
     seq->peeled = bound < TR_I_SEQ_LAYERS ? bound + 1 : TR_I_SEQ_LAYERS;
     seq->whole = 1;
-    if (seq->layers > 0 && seq->runs == 1 && seq->layers < seq->peeled) {
+    if (seq->layers > 0 && seq->runs == 1 && seq->layers < seq->peeled &&
+        (seq->each || !tr_i_some_stay(seq, dynamic, places))) {
         seq->layer_bound = seq->peeled = seq->layers + 1;
         seq->whole = 0;
     }

@@ -16,7 +16,7 @@ void main()
         discard;
     if (depth == TR_CLEAR_DEPTH)
         code = TR_LAYER_LAST | TR_LAYER_NONE;
-    else if ((code & TR_CODE_CLOSES) != 0u || !TR_NEARER(depth, reach))
+    else if (!TR_NEARER(depth, reach))
         code |= TR_LAYER_LAST;
     if (layer > 0 && depth == texelFetch(tr_layer_before, ivec3(pixel, (layer - 1) >> 1), 0).r)
         code |= TR_LAYER_COINCIDENT;

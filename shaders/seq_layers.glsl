@@ -1,7 +1,7 @@
 // For: transparency.h
 // Layers of TR_SEE_EXACT: whose each is, front to back. The codes of units, with what is known of the layer in bits that
 // those leave free.
-#define TR_LAYER_LAST (1u << 21)       // nothing behind it can be seen, or there is nothing
+#define TR_LAYER_LAST (1u << 21)       // no mask looks through it, or there is nothing
 #define TR_LAYER_NONE (1u << 22)       // there is none
 #define TR_LAYER_COINCIDENT (1u << 23) // at the same depth as the one before
 
