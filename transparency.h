@@ -564,7 +564,7 @@ typedef struct tr_unit {
 typedef enum tr_see {
     TR_SEE_ONE_MASK,  /* one mask for all targets, blended; order-free, one more drawing of what is in masks */
     TR_SEE_DITHER,    /* the same mask, screen-door: one drawing, depth writes, no blending; for deferred pipelines */
-    TR_SEE_EXACT,     /* layer by layer, as the truth has it, within the masks */
+    TR_SEE_EXACT,     /* layer by layer, as the truth has it, within the masks; ids of all units have to differ */
     TR_SEE_SEQUENCE,  /* whole objects back to front, a mask a target: Assarsson 2006, section 4, as amended */
     TR_SEE_PUBLISHED, /* the same as published: all masks multiply, each occluder on its own */
     TR_SEE_OFF,       /* plain drawing */
@@ -5084,6 +5084,21 @@ static const char *tr_i_check_law(const tr_dynamic *dynamic) {
     return 0;
 }
 
+/* TR_SEE_EXACT tells units apart by their ids. */
+static int tr_i_ids_differ(const tr_dynamic *dynamic) {
+    unsigned char seen[(TR_I_MAX_UNIT_ID + 1) / 8];
+    size_t i;
+    memset(seen, 0, sizeof seen);
+    for (i = 0; i < dynamic->unit_count; ++i) {
+        uint32_t id = tr_i_unit_at(dynamic, i).id & TR_I_MAX_UNIT_ID;
+        unsigned char bit = (unsigned char)(1u << (id & 7u));
+        if (seen[id >> 3] & bit)
+            return 0;
+        seen[id >> 3] |= bit;
+    }
+    return 1;
+}
+
 /* What the rung cannot do. */
 static const char *tr_i_check_rung(const tr_dynamic *dynamic) {
     int one_mask = dynamic->see == TR_SEE_ONE_MASK, dither = dynamic->see == TR_SEE_DITHER;
@@ -7992,6 +8007,8 @@ static tr_result tr_i_check_dynamic(const tr_context *tr, const tr_frame *frame,
         wrong = tr_i_check_lights(dynamic);
     if (!wrong)
         wrong = tr_i_check_units(dynamic);
+    if (!wrong && dynamic->see == TR_SEE_EXACT && !tr_i_ids_differ(dynamic))
+        wrong = "dynamic.units: two have one id, and TR_SEE_EXACT tells units apart by it";
     if (wrong)
         return tr_i_fail(&tr->desc, TR_INVALID_ARGUMENT, wrong);
     return tr_i_check_frame(tr, frame);
@@ -8484,7 +8501,7 @@ static void tr_i_plan_sequence(tr_context *tr, const tr_dynamic *dynamic) {
     plan->pass_count = 0;
     plan->bytes = 0;
     plan->masks = seq->pending;
-    if (seq->blocks.count == 0) {
+    if (seq->exact ? seq->masks.count == 0 : seq->blocks.count == 0) {
         tr_i_plan_plain(&tr->see,
                         plan->targets_in_view ? "nothing that yields lies before a target" : "no target is in view");
         return;
