@@ -2819,6 +2819,14 @@ static const char *const tr_i_shader_take_opaque_frag[] = {
 #define TR_I_GL_NEAREST 0x2600
 #define TR_I_GL_CLAMP_TO_EDGE 0x812F
 #define TR_I_GL_ONE 1u
+#define TR_I_GL_ALREADY_SIGNALED 0x911Au
+#define TR_I_GL_CONDITION_SATISFIED 0x911Cu
+#define TR_I_GL_MAP_READ_BIT 1u
+#define TR_I_GL_PIXEL_PACK_BUFFER 0x88EBu
+#define TR_I_GL_PIXEL_PACK_BUFFER_BINDING 0x88EDu
+#define TR_I_GL_STREAM_READ 0x88E1u
+#define TR_I_GL_SYNC_FLUSH_COMMANDS_BIT 1u
+#define TR_I_GL_SYNC_GPU_COMMANDS_COMPLETE 0x9117u
 #define TR_I_GL_PIXEL_UNPACK_BUFFER 0x88ECu
 #define TR_I_GL_PIXEL_UNPACK_BUFFER_BINDING 0x88EFu
 #define TR_I_GL_POLYGON_MODE 0x0B40u
@@ -2997,6 +3005,15 @@ typedef const char *const *tr_i_strings;
 
 #define TR_I_GL_ES(X) X(void, DepthRangef, (float, float))
 
+/* What tr_query_hidden needs; any 3.3 and ES 3.0, but WebGL 2 cannot map. */
+#define TR_I_GL_QUERY(X)                                                                                               \
+    X(tr_i_u, ClientWaitSync, (void *, tr_i_u, uint64_t))                                                              \
+    X(void, DeleteSync, (void *))                                                                                      \
+    X(void *, FenceSync, (tr_i_u, tr_i_u))                                                                             \
+    X(void *, MapBufferRange, (tr_i_u, ptrdiff_t, ptrdiff_t, tr_i_u))                                                  \
+    X(void, ReadPixels, (int32_t, int32_t, int32_t, int32_t, tr_i_u, tr_i_u, void *))                                  \
+    X(unsigned char, UnmapBuffer, (tr_i_u))
+
 typedef struct tr_i_gl {
 #define TR_I_MEMBER(type, name, parameters) type(TR_I_GLAPI *name) parameters;
     TR_I_GL_REQUIRED(TR_I_MEMBER)
@@ -3005,6 +3022,7 @@ typedef struct tr_i_gl {
     TR_I_GL_INDEXED_BLEND(TR_I_MEMBER)
     TR_I_GL_VIEWPORTS(TR_I_MEMBER)
     TR_I_GL_ES(TR_I_MEMBER)
+    TR_I_GL_QUERY(TR_I_MEMBER)
 #undef TR_I_MEMBER
 } tr_i_gl;
 
@@ -3126,11 +3144,11 @@ typedef struct tr_i_snapshot {
 /* Lists of units, as indices into the host's array, each as long as that. */
 enum {
     TR_I_UNITS_ALL,
-    TR_I_UNITS_BLOCK,    /* impenetrable, or backdrops, in masks */
-    TR_I_UNITS_TARGETS,  /* that something may lie before */
-    TR_I_UNITS_BEHIND,   /* that may show through a mask */
-    TR_I_UNITS_YIELDING, /* distractors that may lie before a target */
-    TR_I_UNITS_MASKED,   /* all in masks */
+    TR_I_UNITS_BLOCK,   /* impenetrable, or backdrops, in masks */
+    TR_I_UNITS_TARGETS, /* that something may lie before */
+    TR_I_UNITS_BEHIND,  /* that may show through a mask */
+    TR_I_UNITS_BEFORE,  /* distractors that may lie before a target */
+    TR_I_UNITS_MASKED,  /* all in masks */
     TR_I_UNIT_LISTS
 };
 
@@ -3202,8 +3220,13 @@ enum { TR_I_OUTSIDE, TR_I_INSIDE, TR_I_LENT };
 typedef struct tr_i_query {
     tr_i_u buffer;
     void *fence; /* 0: nothing is under way */
-    int columns, rows;
+    size_t texels;
+    int stale; /* of a frame before one without masks */
 } tr_i_query;
+
+typedef struct tr_i_answer {
+    uint32_t texels, hidden;
+} tr_i_answer;
 
 typedef struct tr_i_see {
     int active;  /* this frame is of tr_begin_dynamic */
@@ -3219,7 +3242,10 @@ typedef struct tr_i_see {
     int width, height, divisor, srgb; /* that the textures are made for */
     tr_i_u textures[TR_I_SEE_TEXTURE_COUNT], fbos[TR_I_SEE_FBO_COUNT], buffer;
     tr_i_see_block block, uploaded; /* of this frame; as it is in the buffer */
-    int block_uploaded, in_use;     /* in_use: the built-in program of this frame's scene is */
+    tr_i_query queries[TR_I_QUERY_RING];
+    int next_query;
+    tr_i_answer *answer;        /* by id; 0: nobody has asked */
+    int block_uploaded, in_use; /* in_use: the built-in program of this frame's scene is */
 } tr_i_see;
 
 /* ---- dynamic transparency: what a context keeps of sequences ---- */
@@ -3335,7 +3361,8 @@ typedef struct tr_i_sequence {
 struct tr_context {
     tr_desc desc;
     tr_i_gl gl;
-    int es, version, has_indexed, has_indexed_blend, has_viewports, viewports, draw_buffers, clip_distances;
+    int es, version, has_indexed, has_indexed_blend, has_viewports, has_queries, viewports, draw_buffers,
+        clip_distances;
     int32_t max_width, max_height, max_texture; /* of a viewport; of a texture */
     const char *strings[TR_STAGE_COUNT][TR_RULE_SEE_END][TR_I_MAX_STRINGS + 1];
     int string_count[TR_STAGE_COUNT][TR_RULE_SEE_END];
@@ -4198,7 +4225,7 @@ static void tr_i_place_units(tr_i_see *see, const tr_dynamic *dynamic, int width
         tr_i_place_unit(&unit, dynamic->view, m, width, height, place);
         see->plan.targets += unit.flags & TR_UNIT_TARGET;
         see->plan.targets_in_view += (unit.flags & TR_UNIT_TARGET) && place->x1 != 0;
-        if (place->x1 == 0 || !tr_i_yields(&unit))
+        if (place->x1 == 0 || !(dynamic->query ? !(unit.flags & TR_I_KEPT) : tr_i_yields(&unit)))
             continue;
         tr_i_cells_of(&see->grid, place, 0, cells);
         tr_i_lower_cells(see->grid.nearest_yielding, cells, place->first, 1.0f);
@@ -4243,9 +4270,9 @@ static void tr_i_list_units(tr_i_see *see, const tr_dynamic *dynamic) {
         tr_i_list(see, TR_I_UNITS_MASKED, i);
         if (unit.flags & (TR_UNIT_IMPENETRABLE | TR_UNIT_BACKDROP))
             tr_i_list(see, TR_I_UNITS_BLOCK, i);
-        if (yields && tr_i_any_cell(grid->farthest_target, cells, place->first, -1.0f)) {
-            tr_i_list(see, TR_I_UNITS_YIELDING, i);
-            see->partial |= importance > 0.0f;
+        if (!(unit.flags & TR_I_KEPT) && tr_i_any_cell(grid->farthest_target, cells, place->first, -1.0f)) {
+            tr_i_list(see, TR_I_UNITS_BEFORE, i);
+            see->partial |= yields && importance > 0.0f;
         }
         /* What lies before all masks that it meets would be discarded to the last fragment. */
         if (!yields || importance > 0.0f || tr_i_any_cell(grid->nearest_target, cells, place->last, 1.0f))
@@ -4287,7 +4314,7 @@ static void tr_i_plan_masks(tr_i_see *see, const tr_dynamic *dynamic) {
                       "opacity and depth, with the target's own pixels as drawn");
     if (dynamic->query) {
         tr_i_add_see_pass(plan, TR_PASS_QUERY, TR_RULE_SEE_PLAIN, 0, "asked for: which target");
-        tr_i_add_see_pass(plan, TR_PASS_HIDES, TR_RULE_SEE_HIDES, counts[TR_I_UNITS_YIELDING],
+        tr_i_add_see_pass(plan, TR_PASS_HIDES, TR_RULE_SEE_HIDES, counts[TR_I_UNITS_BEFORE],
                           "asked for: whether something lies before it");
     }
 }
@@ -5084,6 +5111,11 @@ static const char *tr_i_check_law(const tr_dynamic *dynamic) {
     return 0;
 }
 
+/* Rungs that keep masks target by target. */
+static int tr_i_is_sequence(tr_see see) {
+    return see == TR_SEE_EXACT || see == TR_SEE_SEQUENCE || see == TR_SEE_PUBLISHED;
+}
+
 /* TR_SEE_EXACT tells units apart by their ids. */
 static int tr_i_ids_differ(const tr_dynamic *dynamic) {
     unsigned char seen[(TR_I_MAX_UNIT_ID + 1) / 8];
@@ -5110,6 +5142,8 @@ static const char *tr_i_check_rung(const tr_dynamic *dynamic) {
         return "dynamic.occluders: TR_SEE_ONE_MASK sees them together";
     if ((one_mask || dither) && dynamic->layers != 0)
         return "dynamic.layers: one mask knows no layers";
+    if (dynamic->query && tr_i_is_sequence(dynamic->see))
+        return "dynamic.query: TR_SEE_ONE_MASK and TR_SEE_DITHER count what is hidden";
     return 0;
 }
 
@@ -5974,6 +6008,9 @@ static void tr_i_load_static(tr_i_gl *gl) {
 #if defined(GL_VERSION_4_1) || defined(GL_ES_VERSION_2_0)
     TR_I_GL_ES(TR_I_TAKE)
 #endif
+#if (defined(GL_VERSION_3_2) || defined(GL_ES_VERSION_3_0)) && !defined(__EMSCRIPTEN__)
+    TR_I_GL_QUERY(TR_I_TAKE)
+#endif
 #if defined(GL_VERSION_3_0) || defined(GL_ES_VERSION_3_2)
     TR_I_GL_INDEXED(TR_I_TAKE)
 #endif
@@ -5998,6 +6035,7 @@ static tr_result tr_i_load(tr_context *tr) {
     TR_I_GL_INDEXED_BLEND(TR_I_TAKE)
     TR_I_GL_VIEWPORTS(TR_I_TAKE)
     TR_I_GL_ES(TR_I_TAKE)
+    TR_I_GL_QUERY(TR_I_TAKE)
 #undef TR_I_TAKE
 #endif
 #define TR_I_CHECK(type, name, parameters)                                                                             \
@@ -6037,6 +6075,12 @@ static tr_result tr_i_detect(tr_context *tr) {
         TR_I_GL_INDEXED(TR_I_CHECK)
 #undef TR_I_CHECK
     }
+    tr->has_queries = 1;
+#define TR_I_CHECK(type, name, parameters)                                                                             \
+    if (!tr->gl.name)                                                                                                  \
+        tr->has_queries = 0;
+    TR_I_GL_QUERY(TR_I_CHECK)
+#undef TR_I_CHECK
     tr->has_indexed_blend = tr->version >= (tr->es ? 320 : 400) && tr->gl.BlendFuncSeparatei &&
                             tr->gl.BlendEquationSeparatei && tr->has_indexed;
     tr->has_viewports = !tr->es && tr->version >= 410 && tr->gl.ViewportIndexedf && tr->gl.DepthRangeIndexed &&
@@ -6312,7 +6356,20 @@ static uint64_t tr_i_see_bytes(const tr_context *tr) {
     return bytes;
 }
 
+static void tr_i_drop_queries(tr_context *tr) {
+    int i;
+    for (i = 0; i < TR_I_QUERY_RING; ++i) {
+        tr_i_query *query = &tr->see.queries[i];
+        if (query->fence)
+            tr->gl.DeleteSync(query->fence);
+        if (query->buffer)
+            tr->gl.DeleteBuffers(1, &query->buffer);
+        memset(query, 0, sizeof *query);
+    }
+}
+
 static void tr_i_drop_see_textures(tr_context *tr) {
+    tr_i_drop_queries(tr);
     tr_i_delete_framebuffers(tr, TR_I_SEE_FBO_COUNT, tr->see.fbos);
     tr_i_delete_textures(tr, TR_I_SEE_TEXTURE_COUNT, tr->see.textures);
     tr->see.width = tr->see.height = 0;
@@ -6586,6 +6643,9 @@ static void tr_i_drop_see(tr_context *tr) {
     tr->see.places = 0;
     tr->see.capacity = 0;
     tr_i_drop_sequence(tr);
+    if (tr->see.answer)
+        tr->desc.free_fn(tr->see.answer, tr->desc.alloc_user);
+    tr->see.answer = 0;
 }
 
 /* Lists for so many units; grown by a quarter more, so that counts that change little allocate nothing. */
@@ -6639,6 +6699,30 @@ static int tr_i_make_see_fbo(tr_context *tr, int index) {
     gl->DrawBuffers(1, &color);
     gl->ReadBuffer(color);
     return gl->CheckFramebufferStatus(TR_I_GL_DRAW_FRAMEBUFFER) == TR_I_GL_FRAMEBUFFER_COMPLETE;
+}
+
+/* The ring that queries are read through, and room for their answers. */
+static tr_result tr_i_make_queries(tr_context *tr) {
+    tr_i_see *see = &tr->see;
+    size_t room = (TR_I_MAX_UNIT_ID + 1) * sizeof see->answer[0];
+    int i;
+    if (!see->answer)
+        see->answer = (tr_i_answer *)tr->desc.alloc_fn(room, tr->desc.alloc_user);
+    if (!see->answer)
+        return tr_i_fail(&tr->desc, TR_OUT_OF_MEMORY, "dynamic.query");
+    memset(see->answer, 0, room);
+    for (i = 0; i < TR_I_QUERY_RING; ++i) {
+        tr->gl.GenBuffers(1, &see->queries[i].buffer);
+        tr->gl.BindBuffer(TR_I_GL_PIXEL_PACK_BUFFER, see->queries[i].buffer);
+        tr->gl.BufferData(TR_I_GL_PIXEL_PACK_BUFFER,
+                          (ptrdiff_t)tr_i_see_weight(TR_I_SEE_QUERY, see->width, see->height, see->divisor), 0,
+                          TR_I_GL_STREAM_READ);
+    }
+    return TR_OK;
+}
+
+static int tr_i_lacks_queries(const tr_i_see *see) {
+    return ((tr_i_see_needs(&see->plan) >> TR_I_SEE_QUERY) & 1u) && (!see->queries[0].buffer || !see->answer);
 }
 
 /* Whether textures of another size, divisor or encoding are held. */
@@ -8011,6 +8095,8 @@ static tr_result tr_i_check_dynamic(const tr_context *tr, const tr_frame *frame,
         wrong = "dynamic.units: two have one id, and TR_SEE_EXACT tells units apart by it";
     if (wrong)
         return tr_i_fail(&tr->desc, TR_INVALID_ARGUMENT, wrong);
+    if (dynamic->query && !tr->has_queries)
+        return tr_i_fail(&tr->desc, TR_GL_FUNCTION_MISSING, "dynamic.query: glMapBufferRange and glFenceSync");
     return tr_i_check_frame(tr, frame);
 }
 
@@ -8071,7 +8157,7 @@ static const uint32_t *tr_i_see_units(const tr_i_see *see, tr_pass_kind kind) {
     case TR_PASS_YIELD:
         return see->lists[TR_I_UNITS_MASKED];
     case TR_PASS_HIDES:
-        return see->lists[TR_I_UNITS_YIELDING];
+        return see->lists[TR_I_UNITS_BEFORE];
     case TR_PASS_SCENE:
         return see->lists[TR_I_UNITS_ALL];
     default:
@@ -8118,7 +8204,7 @@ static int tr_i_see_lacks(const tr_context *tr) {
     const tr_i_see *see = &tr->see;
     uint32_t needs = tr_i_see_needs(&see->plan);
     int i;
-    if (!see->buffer || !tr->vertex_array || (needs && tr_i_see_misfits(tr)))
+    if (!see->buffer || !tr->vertex_array || (needs && tr_i_see_misfits(tr)) || tr_i_lacks_queries(see))
         return 1;
     for (i = 0; i < TR_I_SEE_TEXTURE_COUNT; ++i)
         if (((needs >> i) & 1u) && !see->textures[i])
@@ -8149,6 +8235,8 @@ static tr_result tr_i_see_work(tr_context *tr) {
     tr_i_see *see = &tr->see;
     tr_result result = see->plan.see == TR_SEE_OFF ? TR_OK : tr_i_make_see_textures(tr);
     int i;
+    if (result == TR_OK && tr_i_lacks_queries(see))
+        result = tr_i_make_queries(tr);
     for (i = 0; i < see->plan.pass_count && result == TR_OK; ++i)
         if (see->plan.passes[i].kind != TR_PASS_SCENE || tr->desc.state == TR_STATE_NONE)
             result = tr_i_make_program(tr, tr_i_see_program(tr, &see->plan.passes[i]));
@@ -8207,12 +8295,15 @@ static tr_result tr_i_check_see_target(tr_context *tr) {
 /* Everything that a frame needs. The state is as found afterwards: the scene may come first. */
 static tr_result tr_i_prepare_see(tr_context *tr) {
     tr_result result;
+    int32_t pack = 0;
     if (tr->see.plan.see == TR_SEE_OFF && tr->desc.state != TR_STATE_NONE)
         return TR_OK;
     result = tr_i_check_see_target(tr);
     if (result == TR_OK && tr_i_see_lacks(tr)) {
         tr_i_save(tr, &tr->saved);
+        tr->gl.GetIntegerv(TR_I_GL_PIXEL_PACK_BUFFER_BINDING, &pack);
         result = tr_i_see_work(tr);
+        tr->gl.BindBuffer(TR_I_GL_PIXEL_PACK_BUFFER, (tr_i_u)pack);
         tr_i_restore(tr, &tr->saved);
     }
     if (result == TR_OK)
@@ -8220,7 +8311,14 @@ static tr_result tr_i_prepare_see(tr_context *tr) {
     return result;
 }
 
-/* ---- dynamic transparency: a frame of a sequence ---- */
+/* Nothing is hidden in a frame without masks. */
+static void tr_i_forget_answers(tr_i_see *see) {
+    int i;
+    for (i = 0; i < TR_I_QUERY_RING; ++i)
+        see->queries[i].stale = 1;
+    if (see->answer)
+        memset(see->answer, 0, (TR_I_MAX_UNIT_ID + 1) * sizeof see->answer[0]);
+}
 
 /* ---- dynamic transparency: a frame of a sequence ---- */
 
@@ -8359,10 +8457,6 @@ static void tr_i_add_blocks(tr_context *tr, const tr_frame *frame, const tr_dyna
     }
 }
 
-static int tr_i_is_sequence(tr_see see) {
-    return see == TR_SEE_EXACT || see == TR_SEE_SEQUENCE || see == TR_SEE_PUBLISHED;
-}
-
 /* The program of a full-screen pass; -1: the host draws. */
 static int tr_i_seq_program(const tr_i_sequence *seq, const tr_i_step *step) {
     int together = seq->counted && !seq->each;
@@ -8493,6 +8587,33 @@ static void tr_i_plan_step(tr_see_plan *plan, const tr_i_sequence *seq, const tr
         plan->passes[at].unit_count += step->count;
 }
 
+/* The rectangle of all masks, to which passes are cut. */
+static void tr_i_bound_masks(tr_i_sequence *seq) {
+    const tr_i_mask *masks = (const tr_i_mask *)seq->masks.items;
+    size_t i;
+    int k;
+    memset(seq->bounds, 0, sizeof seq->bounds);
+    for (i = 0; i < seq->masks.count; ++i)
+        for (k = 0; k < 4; ++k)
+            if (i == 0 || (k < 2 ? masks[i].box[k] < seq->bounds[k] : masks[i].box[k] > seq->bounds[k]))
+                seq->bounds[k] = masks[i].box[k];
+}
+
+/* What of the viewport is covered by boxes of masks, each counted whole. */
+static void tr_i_plan_boxes(const tr_i_sequence *seq, tr_see_plan *plan) {
+    const tr_i_mask *masks = (const tr_i_mask *)seq->masks.items;
+    double area = 0;
+    size_t i;
+    for (i = 0; i < seq->masks.count; ++i)
+        area += (double)(masks[i].box[2] - masks[i].box[0]) * (double)(masks[i].box[3] - masks[i].box[1]);
+    plan->rectangle[0] = seq->bounds[0];
+    plan->rectangle[1] = seq->bounds[1];
+    plan->rectangle[2] = seq->bounds[2] - seq->bounds[0];
+    plan->rectangle[3] = seq->bounds[3] - seq->bounds[1];
+    plan->tiles = (uint32_t)seq->masks.count;
+    plan->covered = (float)(area / ((double)seq->wanted[0] * (double)seq->wanted[1]));
+}
+
 /* The plan of the cheaper rungs gives way. */
 static void tr_i_plan_sequence(tr_context *tr, const tr_dynamic *dynamic) {
     const tr_i_sequence *seq = &tr->seq;
@@ -8511,22 +8632,11 @@ static void tr_i_plan_sequence(tr_context *tr, const tr_dynamic *dynamic) {
                                 : "something that yields lies before a target; masks of floats";
     plan->layers = seq->exact ? (uint32_t)seq->peeled : 0;
     plan->layer_bound = seq->exact ? (uint32_t)seq->layer_bound : 0;
+    tr_i_plan_boxes(seq, plan);
     plan->runs = (uint32_t)(seq->exact ? seq->runs : seq->blocks.count);
     plan->bytes = tr_i_seq_bytes(seq, tr_i_seq_needs(seq), seq->wanted);
     for (i = 0; i < seq->steps.count; ++i)
         tr_i_plan_step(plan, seq, (const tr_i_step *)seq->steps.items + i);
-}
-
-/* The rectangle of all masks, to which passes are cut. */
-static void tr_i_bound_masks(tr_i_sequence *seq) {
-    const tr_i_mask *masks = (const tr_i_mask *)seq->masks.items;
-    size_t i;
-    int k;
-    memset(seq->bounds, 0, sizeof seq->bounds);
-    for (i = 0; i < seq->masks.count; ++i)
-        for (k = 0; k < 4; ++k)
-            if (i == 0 || (k < 2 ? masks[i].box[k] < seq->bounds[k] : masks[i].box[k] > seq->bounds[k]))
-                seq->bounds[k] = masks[i].box[k];
 }
 
 /* Lists and steps; no GL. */
@@ -8594,6 +8704,8 @@ TR_I_API tr_result tr_begin_dynamic(tr_context *tr, const tr_frame *frame, const
     tr->seq.active = tr_i_is_sequence(dynamic->see);
     tr_i_plan_see(&tr->see, dynamic, frame->width, frame->height);
     tr_i_weigh_see(tr);
+    if (tr->see.plan.see == TR_SEE_OFF)
+        tr_i_forget_answers(&tr->see);
     tr_i_fill_see_block(tr, dynamic);
     tr->see.step = 0;
     tr->see.active = 1;
@@ -9070,8 +9182,114 @@ static int tr_i_next_see_pass(tr_context *tr, tr_pass *pass) {
     return 0;
 }
 
+/* ---- dynamic transparency: what is hidden ----------------------------------------------------------------------- */
+
+/* Starts to copy the answer of this frame to where it can be read when it is there. Nothing where all buffers of the ring
+   are under way: then a later frame answers. */
+static void tr_i_ask(tr_context *tr) {
+    static const tr_i_u names[4] = {0x0D05u, 0x0D02u, 0x0D03u, 0x0D04u}; /* GL_PACK_ALIGNMENT, ROW_LENGTH, SKIP_* */
+    const tr_i_gl *gl = &tr->gl;
+    tr_i_see *see = &tr->see;
+    tr_i_query *query = &see->queries[see->next_query];
+    tr_i_see_format format = tr_i_see_format_of(TR_I_SEE_QUERY, 0);
+    int32_t pack[4], bound[2] = {0, 0};
+    int size[2], i;
+    if (query->fence)
+        return;
+    tr_i_see_size(&format, see->width, see->height, see->divisor, size);
+    gl->GetIntegerv(TR_I_GL_PIXEL_PACK_BUFFER_BINDING, &bound[0]);
+    gl->GetIntegerv(TR_I_GL_READ_FRAMEBUFFER_BINDING, &bound[1]);
+    for (i = 0; i < 4; ++i) {
+        gl->GetIntegerv(names[i], &pack[i]);
+        gl->PixelStorei(names[i], i == 0 ? 4 : 0);
+    }
+    gl->BindFramebuffer(TR_I_GL_READ_FRAMEBUFFER, see->fbos[TR_I_SEE_FBO_QUERY]);
+    gl->BindBuffer(TR_I_GL_PIXEL_PACK_BUFFER, query->buffer);
+    gl->ReadPixels(0, 0, size[0], size[1], TR_I_GL_RGBA, TR_I_GL_UNSIGNED_BYTE, 0);
+    query->fence = gl->FenceSync(TR_I_GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+    query->texels = (size_t)size[0] * (size_t)size[1];
+    query->stale = 0;
+    for (i = 0; i < 4; ++i)
+        gl->PixelStorei(names[i], pack[i]);
+    gl->BindFramebuffer(TR_I_GL_READ_FRAMEBUFFER, (tr_i_u)bound[1]);
+    gl->BindBuffer(TR_I_GL_PIXEL_PACK_BUFFER, (tr_i_u)bound[0]);
+    see->next_query = (see->next_query + 1) % TR_I_QUERY_RING;
+}
+
+/* Counts texels by id. */
+static void tr_i_count_texels(tr_i_see *see, const unsigned char *texels, size_t count) {
+    size_t i;
+    memset(see->answer, 0, (TR_I_MAX_UNIT_ID + 1) * sizeof see->answer[0]);
+    for (i = 0; i < count; ++i) {
+        const unsigned char *texel = texels + 4 * i;
+        tr_i_answer *answer = &see->answer[texel[0] | (unsigned)texel[1] << 8];
+        ++answer->texels;
+        answer->hidden += texel[2] != 0;
+    }
+}
+
+/* Takes what has arrived, oldest first; the last of it stays. */
+static void tr_i_take_answers(tr_context *tr) {
+    const tr_i_gl *gl = &tr->gl;
+    int i;
+    for (i = 0; i < TR_I_QUERY_RING; ++i) {
+        tr_i_query *query = &tr->see.queries[(tr->see.next_query + i) % TR_I_QUERY_RING];
+        const void *texels;
+        int32_t bound = 0;
+        tr_i_u status;
+        if (!query->fence)
+            continue;
+        status = gl->ClientWaitSync(query->fence, TR_I_GL_SYNC_FLUSH_COMMANDS_BIT, 0);
+        if (status != TR_I_GL_ALREADY_SIGNALED && status != TR_I_GL_CONDITION_SATISFIED)
+            return;
+        gl->DeleteSync(query->fence);
+        query->fence = 0;
+        gl->GetIntegerv(TR_I_GL_PIXEL_PACK_BUFFER_BINDING, &bound);
+        gl->BindBuffer(TR_I_GL_PIXEL_PACK_BUFFER, query->buffer);
+        texels = gl->MapBufferRange(TR_I_GL_PIXEL_PACK_BUFFER, 0, (ptrdiff_t)(4 * query->texels), TR_I_GL_MAP_READ_BIT);
+        if (texels && !query->stale)
+            tr_i_count_texels(&tr->see, (const unsigned char *)texels, query->texels);
+        if (texels)
+            gl->UnmapBuffer(TR_I_GL_PIXEL_PACK_BUFFER);
+        gl->BindBuffer(TR_I_GL_PIXEL_PACK_BUFFER, (tr_i_u)bound);
+    }
+}
+
+TR_I_API tr_result tr_query_hidden(tr_context *tr, tr_hidden *out, size_t capacity, size_t *count) {
+    uint32_t id;
+    if (!tr || !count || (capacity && !out))
+        return TR_INVALID_ARGUMENT;
+    *count = 0;
+    if (!tr->see.answer)
+        return TR_OK;
+    tr_i_take_answers(tr);
+    for (id = 1; id <= TR_I_MAX_UNIT_ID; ++id) {
+        const tr_i_answer *answer = &tr->see.answer[id];
+        if (answer->texels == 0)
+            continue;
+        if (*count < capacity) {
+            out[*count].id = id;
+            out[*count].pixels = 16 * answer->texels;
+            out[*count].hidden = 16 * answer->hidden;
+        }
+        ++*count;
+    }
+    return TR_OK;
+}
+
+/* Whether the frame has come to what a query asks. */
+static int tr_i_has_asked(const tr_i_see *see) {
+    int i;
+    for (i = 0; i < see->step; ++i)
+        if (see->plan.passes[i].kind == TR_PASS_HIDES)
+            return 1;
+    return 0;
+}
+
 /* Ends a frame of dynamic transparency. */
 static void tr_i_end_see(tr_context *tr) {
+    if (tr_i_has_asked(&tr->see))
+        tr_i_ask(tr);
     if (tr->see.entered == TR_I_LENT)
         tr_i_take_from_host(tr);
     if (tr->see.entered != TR_I_INSIDE || tr->desc.state == TR_STATE_LEAVE_DIRTY)
@@ -9079,14 +9297,6 @@ static void tr_i_end_see(tr_context *tr) {
     if (tr->desc.state == TR_STATE_LEAVE_DEFAULTS)
         tr_i_save_defaults(&tr->saved);
     tr_i_restore(tr, &tr->saved);
-}
-
-TR_I_API tr_result tr_query_hidden(tr_context *tr, tr_hidden *out, size_t capacity, size_t *count) {
-    (void)out, (void)capacity;
-    if (!tr || !count)
-        return TR_INVALID_ARGUMENT;
-    *count = 0;
-    return TR_OK;
 }
 
 TR_I_API int tr_next_pass(tr_context *tr, tr_pass *pass) {
