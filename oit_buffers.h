@@ -1,4 +1,4 @@
-/* oit_buffers.h - v0.2.0 - every fragment of every pixel: exact order-independent transparency - MIT licence, at the end
+/* oit_buffers.h - v0.3.0 - every fragment of every pixel: exact order-independent transparency - MIT licence, at the end
 
    DOES
    - keeps every fragment of every pixel in a buffer on the GPU, sorts each pixel's fragments and composes them front to
@@ -120,7 +120,6 @@
    - A fragment at the very depth of the host's opaque surface is hidden.
    - Colours: see oit_color. Into a target of 8 bits the picture is within 1/255 of the exact one, into one of floats
      within 10^-5 with OIT_COLOR_FLOAT. Infinities and NaN in a colour become 0, alpha is cut to [0,1].
-   - Layers behind a transmittance below 2^-24 are left out.
    - The tail takes colours up to 4, takes all layers of a pixel as evenly mixed, and is exact where they have one colour.
    - Mesa's software driver ends a shader's loops after 65,535 rounds: pixels of more than about 1,400 fragments lose some
      there.
@@ -132,7 +131,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#define OIT_VERSION 200 /* major * 10000 + minor * 100 + patch */
+#define OIT_VERSION 300 /* major * 10000 + minor * 100 + patch */
 
 /* How the functions are declared; not for users. A file need not use all that are static in it. */
 #if !defined(OIT_STATIC)
@@ -157,10 +156,11 @@ extern "C" {
     X(OIT_LIMIT_TOO_SMALL, "a limit of the context is too small for fragment buffers")                                 \
     X(OIT_SHADER_FAILED, "a shader did not compile or link")                                                           \
     X(OIT_TARGET_INCOMPLETE, "the target framebuffer is not complete")                                                 \
-    X(OIT_TARGET_MULTISAMPLED, "the target is multisampled, which this version does not draw into")                    \
+    X(OIT_TARGET_MULTISAMPLED, "the target is multisampled, and coverage is not stored or holds fewer samples")        \
     X(OIT_TOO_LARGE, "the viewport is larger than the context's buffers or viewports can be")                          \
     X(OIT_PIXEL_TOO_DEEP, "one pixel alone has more fragments than the ceiling holds")                                 \
-    X(OIT_WRONG_ORDER, "a function of a frame was called outside of it, or before its passes were done")
+    X(OIT_WRONG_ORDER, "a function of a frame was called outside of it, or before its passes were done")               \
+    X(OIT_NOT_READY, "the GPU has not come as far yet; ask again")
 
 typedef enum oit_result {
 #define OIT_I_ENUM(name, text) name,
@@ -186,6 +186,16 @@ typedef enum oit_fit {
     OIT_FIT_ASYNC /* never waits: what does not fit this frame is composed from the tail, and the pool grows for the next */
 } oit_fit;
 
+/* How fragments come to lie in the pool. All compose the same layers in the same order. */
+typedef enum oit_store_kind {
+    OIT_STORE_EXACT, /* counted, then filled: two geometry passes, runs that fit exactly */
+    OIT_STORE_PREDICT,
+    OIT_STORE_BUDGET,
+    OIT_STORE_LINKED,
+    OIT_STORE_BUCKETED,
+    OIT_STORE_FETCH
+} oit_store_kind;
+
 /* How a fragment's colour is kept. Bytes are those of a fragment with nothing else chosen; sizes go in steps of 8. */
 typedef enum oit_color {
     OIT_COLOR_8, /* for targets of 8 bits: rgb in 10 bits each, alpha as a 32-bit float; 16 bytes, of which 4 are free */
@@ -196,13 +206,15 @@ typedef enum oit_color {
 /* What a fragment carries beside depth and colour, 4 bytes each but for OIT_FIELD_UV's 8; OIT_FIELD_BLEND is free with
    OIT_COLOR_8. What is not chosen costs nothing. */
 enum {
-    OIT_FIELD_PART = 1,   /* uint: orders fragments of the same depth, before all else */
-    OIT_FIELD_KEY = 2,    /* uint: orders fragments of the same depth and part */
-    OIT_FIELD_BLEND = 4,  /* over, add or multiply by fragment */
-    OIT_FIELD_NORMAL = 8, /* a direction in 2 x 16 bits */
-    OIT_FIELD_UV = 16     /* two floats */
+    OIT_FIELD_PART = 1,     /* uint: orders fragments of the same depth, before all else */
+    OIT_FIELD_KEY = 2,      /* uint: orders fragments of the same depth and part */
+    OIT_FIELD_BLEND = 4,    /* over, add or multiply by fragment */
+    OIT_FIELD_NORMAL = 8,   /* a direction in 2 x 16 bits */
+    OIT_FIELD_UV = 16,      /* two floats */
+    OIT_FIELD_COVERAGE = 32 /* which samples are covered: for multisampled targets; 4 bytes a pixel, too */
 };
-#define OIT_FIELD_ALL 31u
+#define OIT_FIELD_ALL 63u
+#define OIT_MAX_SAMPLES 8
 #define OIT_MAX_HOST_WORDS 8
 
 typedef struct oit_desc {
@@ -224,6 +236,11 @@ typedef struct oit_desc {
     int64_t max_block_bytes;   /* 0: what the context has; else storage blocks are taken to hold no more (for tests) */
     int first_storage_binding; /* three shader storage binding points from here on are ours */
     int uniform_binding;       /* uniform buffer binding point that is ours; 0: 14 */
+    oit_store_kind store;
+    int64_t budget_bytes;  /* BUDGET, BUCKETED: for the fragments of the image; 0: 256 MiB */
+    int layers;            /* BUDGET, BUCKETED: keep no more of a pixel; 0: as many as the budget has room for */
+    int bucket_depth_bits; /* BUCKETED: choose the nearest by so many bits of the depth, 16 or 32; 0: 32 */
+    int sample_order; /* 1, with OIT_FIELD_COVERAGE: each sample is a fragment of its own; see MULTISAMPLED TARGETS */
 } oit_desc;
 
 typedef struct oit_info {
@@ -249,15 +266,33 @@ typedef struct oit_report {
     uint32_t extra;       /* fragments that the fill pass met and the count pass had not: not stored */
     uint32_t capacity;    /* fragments that the pool held in that frame */
     uint32_t bands;       /* fill passes */
+    uint32_t layers;      /* BUDGET, BUCKETED: k, the most that was kept of a pixel */
 } oit_report;
 
 /* ---- a frame ---------------------------------------------------------------------------------------------------- */
+
+/* Which depth stands for all that was composed, for passes that come after and know one depth a pixel: fog, depth of
+   field, temporal filters. It is a window depth, that of the fragment with which the transmittance, from the eye on, falls
+   below a limit; written to the depth attachment of frame.depth_framebuffer, whatever is there (no depth test), or as a
+   colour. Where no fragment qualifies, and where the run of a pixel did not fit, nothing is written: what the host has put
+   there stays. So give the target itself, or a framebuffer into which the opaque depth was copied. Of a filter
+   (OIT_BLEND_MULTIPLY) the channel counts that lets most through. */
+typedef enum oit_depth {
+    OIT_DEPTH_NONE,
+    OIT_DEPTH_FIRST,    /* the nearest fragment, however transparent */
+    OIT_DEPTH_MEDIAN,   /* below one half */
+    OIT_DEPTH_THRESHOLD /* below frame.depth_threshold */
+} oit_depth;
 
 typedef struct oit_frame {
     uint32_t framebuffer; /* target; its depth, if it has any, hides fragments; its first draw buffer is drawn into */
     int x, y, width, height; /* viewport within the target, pixels */
     float background_weight; /* of the target's own content, in [0,1]; 0: default 1; negative: 0 */
     float light[3]; /* built-in surfaces: toward the light, any length, in the space of the normals; zero: not shaded */
+    oit_depth depth;            /* of the composite; OIT_DEPTH_NONE costs nothing */
+    float depth_threshold;      /* OIT_DEPTH_THRESHOLD: in ]0,1] */
+    uint32_t depth_framebuffer; /* takes the depth, at the same viewport; see oit_depth */
+    int depth_to_color;         /* 1: in its first draw buffer instead, which is of floats (R32F) */
 } oit_frame;
 
 typedef enum oit_pass_kind {
@@ -269,6 +304,10 @@ typedef enum oit_pass_kind {
     OIT_PASS_REPORT,
     OIT_PASS_FILL, /* the host draws them again */
     OIT_PASS_COMPOSE,
+    OIT_PASS_KEEP,    /* BUDGET, BUCKETED: what is kept of each pixel */
+    OIT_PASS_ARRANGE, /* BUCKETED: its fragments by part */
+    OIT_PASS_PICK,    /* where oit_pick_begin has asked for it */
+    OIT_PASS_DEPTH,   /* with oit_frame.depth */
     OIT_PASS_KIND_COUNT
 } oit_pass_kind;
 
@@ -284,11 +323,12 @@ typedef struct oit_state {
     int first_storage_binding;
     uint32_t uniform_buffer; /* bound to uniform_binding */
     int uniform_binding;
-    int depth_test; /* depth is never written */
+    int depth_test;
     uint32_t depth_func;
     int color_write;                          /* rgb of the first draw buffer; alpha and others are never written */
     int blend;                                /* equation: add */
     uint32_t blend_source, blend_destination; /* of rgb */
+    int depth_write;                          /* only OIT_PASS_DEPTH, whose test always passes */
 } oit_state;
 
 typedef struct oit_pass {
@@ -318,6 +358,32 @@ OIT_DEF oit_result oit_compose(oit_context *oit);
 OIT_DEF oit_result oit_end(oit_context *oit); /* may come early: what is drawn so far stays */
 /* The latest that is known; with OIT_FIT_WAIT it waits for the last frame. */
 OIT_DEF oit_result oit_get_report(oit_context *oit, oit_report *report);
+
+/* ---- picking ----------------------------------------------------------------------------------------------------- */
+
+#define OIT_MAX_PICKS 4
+
+/* One fragment of one pixel. Members whose fields were not chosen are 0. */
+typedef struct oit_pick {
+    int x, y, layer; /* as asked */
+    uint64_t frame;  /* that it is of, counted as in oit_report */
+    uint32_t layers; /* fragments of the pixel before the host's opaque things */
+    int found;       /* 0: there is no such layer, or the pixel's run did not fit; what follows is then 0 */
+    float depth;     /* window depth */
+    float color[4];  /* as it was stored: multiplied by alpha with desc.premultiplied */
+    uint32_t part, key, blend;
+    float normal[3], uv[2]; /* the normal of unit length */
+    uint32_t coverage;      /* a bit for each sample */
+    uint32_t words[8];      /* the host's */
+} oit_pick;
+
+/* Asks for the fragment at a pixel of the target (y as in gl_FragCoord) that `layer` others come before, 0 being the
+   nearest. The next oit_compose answers, that of this frame where one is under way. Needs the context current; makes a
+   program and a buffer when first called. OIT_MAX_PICKS may be under way; one more is OIT_WRONG_ORDER. */
+OIT_DEF oit_result oit_pick_begin(oit_context *oit, int x, int y, int layer);
+/* The answer asked for first, which is then done with. OIT_NOT_READY: not there yet; with wait it is waited for, once the
+   frame that answers has ended. OIT_WRONG_ORDER: none is under way, or none that can be waited for. */
+OIT_DEF oit_result oit_pick_result(oit_context *oit, int wait, oit_pick *pick);
 
 /* Uniforms of the built-in surface programs. */
 typedef struct oit_material {
@@ -376,10 +442,141 @@ OIT_DEF oit_result oit_release(oit_context *oit);
 /* clang-format off */
 /* ==== generated from shaders/ by tools/embed_shaders: edit there, then `make shaders` ==== */
 /* clang-format off */
+static const char *const oit_i_shader_oit_arrange_comp[] = {
+    "#line 1\n"
+    "// For: oit_buffers.h\n"
+    "// After the second geometry pass of the bucketed store (Murray 2016, section 4.1): the fragments of each pixel grouped by\n"
+    "// part, and by depth within a part (reordering of Z), and where each group lies (bucket creation). The places in Z are\n"
+    "// ordered, not the records, which stay where they are.\n"
+    "layout(local_size_x = 128) in;\n"
+    "\n"
+    "// By part, then as composed.\n"
+    "bool oit_comes_after(uint a, uint b)\n"
+    "{\n"
+    "    uint x = OIT_WORD(a, OIT_AT_PART), y = OIT_WORD(b, OIT_AT_PART);\n"
+    "    return x != y ? x > y : oit_after(a, b);\n"
+    "}\n"
+    "\n"
+    "uint oit_record_at(uint p, uint i)\n"
+    "{\n"
+    "    return oit_bucket_record(p, i) * uint(OIT_VECTORS);\n"
+    "}\n"
+    "\n"
+    "// By insertion: few, and often nearly in order.\n"
+    "void oit_reorder(uint p, uint start, uint count)\n"
+    "{\n"
+    "    for (uint i = 0u; i < count; ++i) {\n"
+    "        uint place = start + i, to = i;\n"
+    "        for (; to > 0u && oit_comes_after(oit_record_at(p, to - 1u), place * uint(OIT_VECTORS)); --to)\n"
+    "            oit_pixel[OIT_KEY(p, to)] = oit_pixel[OIT_KEY(p, to - 1u)];\n"
+    "        oit_pixel[OIT_KEY(p, to)] = place;\n"
+    "    }\n"
+    "}\n"
+    "\n"
+    "// The slot of a part is part mod k, or the next that is free. One is: there are k, and at most k parts.\n"
+    "void oit_insert_bucket(uint p, uint part, uint first, uint count)\n"
+    "{\n"
+    "    uint slot = part % OIT_LAYERS;\n"
+    "    while (oit_pixel[OIT_BUCKET(p, slot) + 1u] != 0u)\n"
+    "        slot = slot + 1u < OIT_LAYERS ? slot + 1u : 0u;\n"
+    "    oit_pixel[OIT_BUCKET(p, slot)] = part;\n"
+    "    oit_pixel[OIT_BUCKET(p, slot) + 1u] = first | count << 16u;\n"
+    "}\n"
+    "\n"
+    "void oit_arrange(uint p)\n"
+    "{\n"
+    "    uint end = oit_pixel[OIT_START(p + 1u)];\n"
+    "    uint start = oit_pixel[OIT_START(p)] + uint(max(int(oit_pixel[OIT_LEFT(p)]), 0));\n"
+    "    uint count = end - start, first = 0u;\n"
+    "    oit_reorder(p, start, count);\n"
+    "    for (uint slot = 0u; slot < OIT_LAYERS; ++slot)\n"
+    "        oit_pixel[OIT_BUCKET(p, slot) + 1u] = 0u;\n"
+    "    for (uint i = 1u; i <= count; ++i) {\n"
+    "        uint part = OIT_WORD(oit_record_at(p, first), OIT_AT_PART);\n"
+    "        if (i < count && OIT_WORD(oit_record_at(p, i), OIT_AT_PART) == part)\n"
+    "            continue;\n"
+    "        oit_insert_bucket(p, part, first, i - first);\n"
+    "        first = i;\n"
+    "    }\n"
+    "}\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    uint block = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;\n"
+    "    uint first = block * OIT_BLOCK + gl_LocalInvocationID.x;\n"
+    "    for (uint i = 0u; i < 8u; ++i)\n"
+    "        if (first + 128u * i < oit_pool.x)\n"
+    "            oit_arrange(first + 128u * i);\n"
+    "}\n",
+    0};
+static const char *const oit_i_shader_oit_behind_glsl[] = {
+    "#line 1\n"
+    "// For: oit_buffers.h\n"
+    "// The tail read back: the sums of oit_to_tail, and what layers that are mixed evenly look like.\n"
+    "#ifndef OIT_CLASS // not after oit_record.glsl\n"
+    "layout(std430, binding = OIT_BINDING_PIXELS) readonly buffer oit_pixels { uint oit_pixel[]; };\n"
+    "#endif\n"
+    "\n"
+    "#if OIT_KEEPS\n"
+    "vec4 oit_tail_sums(uint p)\n"
+    "{\n"
+    "    uint at = OIT_TAIL(p);\n"
+    "    uvec4 low = uvec4(oit_pixel[at], oit_pixel[at + 1u], oit_pixel[at + 2u], oit_pixel[at + 3u]);\n"
+    "    uvec4 carries = uvec4(oit_pixel[at + 4u], oit_pixel[at + 4u] >> 16u, oit_pixel[at + 5u], oit_pixel[at + 5u] >> 16u);\n"
+    "    return vec4(low) * (1.0 / 67108864.0) + vec4(carries & 0xffffu) * 64.0;\n"
+    "}\n"
+    "#else\n"
+    "vec4 oit_tail_sums(uint p, uint count)\n"
+    "{\n"
+    "    uint at = OIT_TAIL(p);\n"
+    "    float unit = exp2(float(findMSB(count) - 25));\n"
+    "    return vec4(oit_pixel[at], oit_pixel[at + 1u], oit_pixel[at + 2u], oit_pixel[at + 3u]) * unit;\n"
+    "}\n"
+    "#endif\n"
+    "\n"
+    "// rgb: the light that comes of them; a: how much is seen through them.\n"
+    "vec4 oit_tail_light(vec4 sums)\n"
+    "{\n"
+    "    float thickness = sums.a, through = exp(-thickness);\n"
+    "    // (1 - e^-t) / t, whose quotient loses its digits near 0.\n"
+    "    return vec4(sums.rgb * (thickness > 1.0e-3 ? (1.0 - through) / thickness : 1.0 - 0.5 * thickness), through);\n"
+    "}\n",
+    0};
+static const char *const oit_i_shader_oit_buckets_glsl[] = {
+    "#line 1\n"
+    "// For: oit_buffers.h\n"
+    "// What the bucketed store keeps beside the runs, for those who look for fragments of one part. After the blocks of\n"
+    "// oit_record.glsl. Records of a bucket are numbered from `first` on and ordered as they are composed.\n"
+    "\n"
+    "// Place of the i-th record of the pixel, by part and depth; OIT_VECTORS vectors each.\n"
+    "uint oit_bucket_record(uint p, uint i)\n"
+    "{\n"
+    "    return oit_pixel[OIT_KEY(p, i)];\n"
+    "}\n"
+    "\n"
+    "// Where the records of a part lie in the order of oit_bucket_record; false: the pixel has none.\n"
+    "bool oit_find_bucket(uint p, uint part, out uint first, out uint count)\n"
+    "{\n"
+    "    first = count = 0u;\n"
+    "    for (uint i = 0u, slot = part % OIT_LAYERS; i < OIT_LAYERS; ++i) {\n"
+    "        uint range = oit_pixel[OIT_BUCKET(p, slot) + 1u];\n"
+    "        if (range == 0u)\n"
+    "            return false;\n"
+    "        if (oit_pixel[OIT_BUCKET(p, slot)] == part) {\n"
+    "            first = range & 0xffffu;\n"
+    "            count = range >> 16u;\n"
+    "            return true;\n"
+    "        }\n"
+    "        slot = slot + 1u < OIT_LAYERS ? slot + 1u : 0u;\n"
+    "    }\n"
+    "    return false;\n"
+    "}\n",
+    0};
 static const char *const oit_i_shader_oit_clear_comp[] = {
     "#line 1\n"
     "// For: oit_buffers.h\n"
-    "// Counts to zero; with the first slab of a frame the totals too.\n"
+    "// Counts to zero; with the first slab of a frame the totals too. Of the stores that keep the k nearest also the keys,\n"
+    "// limits and tails.\n"
     "layout(local_size_x = 128) in;\n"
     "layout(std430, binding = OIT_BINDING_PIXELS) writeonly buffer oit_pixels { uint oit_pixel[]; };\n"
     "\n"
@@ -389,9 +586,26 @@ static const char *const oit_i_shader_oit_clear_comp[] = {
     "    uint first = block * OIT_BLOCK + gl_LocalInvocationID.x;\n"
     "    for (uint i = 0u; i < 8u; ++i) {\n"
     "        uint p = first + 128u * i;\n"
-    "        if (p < oit_pool.x)\n"
+    "        if (p < oit_pool.x) {\n"
     "            oit_pixel[OIT_LEFT(p)] = 0u;\n"
+    "#if OIT_HAS_COVERAGE\n"
+    "            oit_pixel[OIT_EDGE(p)] = 0u;\n"
+    "#endif\n"
+    "        }\n"
     "    }\n"
+    "#if OIT_KEEPS\n"
+    "    uint each = OIT_LAYERS + 1u, end = min((block + 1u) * OIT_BLOCK, oit_pool.x) * each;\n"
+    "    for (uint i = block * OIT_BLOCK * each + gl_LocalInvocationID.x; i < end; i += 128u)\n"
+    "        oit_pixel[OIT_KEY(0u, i)] = OIT_NONE;\n"
+    "    for (uint i = 0u; i < 8u; ++i) {\n"
+    "        uint p = first + 128u * i;\n"
+    "        if (p >= oit_pool.x)\n"
+    "            break;\n"
+    "        oit_pixel[OIT_LIMIT(p)] = OIT_NONE;\n"
+    "        for (uint c = 0u; c < 6u; ++c)\n"
+    "            oit_pixel[OIT_TAIL(p) + c] = 0u;\n"
+    "    }\n"
+    "#endif\n"
     "    if (oit_step.x != 0u && first < OIT_HEADER)\n"
     "        oit_pixel[first] = 0u;\n"
     "}\n",
@@ -408,21 +622,16 @@ static const char *const oit_i_shader_oit_compose_frag[] = {
     "layout(location = 0) out highp vec4 oit_out;\n"
     "#endif\n"
     "\n"
-    "// Lays the first m of oit_order, which holds `known`. With ties, all records of that depth, be they in this block or not,\n"
-    "// are laid when the first of them is met.\n"
-    "void oit_lay_sorted(uint base, uint n, uint m, uint known, bool tie, inout uint grouped)\n"
+    "#if OIT_DEEP\n"
+    "// Lays the first m of oit_order, which holds `known`. Of ties all records of that depth, be they in this block or not, are\n"
+    "// laid when the first of them is met.\n"
+    "void oit_lay_sorted(uint base, uint n, uint m, uint known, inout uint grouped)\n"
     "{\n"
     "    for (uint i = 0u; i < m && oit_visible(); ++i) {\n"
-    "        uint at = oit_order[i];\n"
-    "        bool alone = true;\n"
-    "        uint depth = 0u;\n"
-    "        if (tie) {\n"
-    "            depth = oit_record_depth(at);\n"
-    "            if (depth == grouped)\n"
-    "                continue;\n"
-    "            alone = i + 1u >= known || oit_record_depth(oit_order[i + 1u]) != depth;\n"
-    "        }\n"
-    "        if (alone) {\n"
+    "        uint at = oit_order[i], depth = oit_record_depth(at);\n"
+    "        if (depth == grouped)\n"
+    "            continue;\n"
+    "        if (i + 1u >= known || oit_record_depth(oit_order[i + 1u]) != depth) {\n"
     "            oit_lay(at);\n"
     "        } else {\n"
     "            oit_lay_group(base, n, depth);\n"
@@ -433,24 +642,35 @@ static const char *const oit_i_shader_oit_compose_frag[] = {
     "\n"
     "void oit_lay_run(uint base, uint n)\n"
     "{\n"
-    "    uint grouped = OIT_NONE;\n"
-    "#if OIT_DEEP\n"
-    "    uint depth = 0u, at = 0u;\n"
+    "    uint depth = 0u, at = 0u, grouped = OIT_NONE;\n"
     "    for (uint done = 0u; done < n && oit_visible(); done += uint(OIT_CLASS)) {\n"
     "        // One more than are laid, to see whether it ties with the last of them.\n"
     "        oit_select(base, n, done > 0u, depth, at);\n"
-    "        oit_lay_sorted(base, n, min(uint(OIT_CLASS), n - done), min(uint(OIT_CLASS + 1), n - done), true, grouped);\n"
+    "        oit_lay_sorted(base, n, min(uint(OIT_CLASS), n - done), min(uint(OIT_CLASS + 1), n - done), grouped);\n"
     "    }\n"
-    "#else\n"
-    "    bool tie = oit_sort(base, n);\n"
-    "    oit_lay_sorted(base, n, n, n, tie, grouped);\n"
-    "#endif\n"
     "}\n"
+    "#endif\n"
+    "\n"
+    "#if OIT_KEEPS\n"
+    "// Behind what is kept, all that is not.\n"
+    "void oit_lay_tail(uint p)\n"
+    "{\n"
+    "    if (oit_pixel[OIT_LIMIT(p)] == OIT_NONE)\n"
+    "        return;\n"
+    "    vec4 tail = oit_tail_light(oit_tail_sums(p));\n"
+    "    oit_sum += oit_through * tail.rgb;\n"
+    "    oit_through *= tail.a;\n"
+    "}\n"
+    "#endif\n"
     "\n"
     "void main()\n"
     "{\n"
     "    ivec2 where = ivec2(gl_FragCoord.xy) - oit_area.xy;\n"
     "    uint p = uint(where.y) * uint(oit_area.z) + uint(where.x);\n"
+    "#if OIT_HAS_COVERAGE // each sample by itself where they differ, the whole pixel where not\n"
+    "    if (OIT_OUTSIDE || (oit_pixel[OIT_EDGE(p)] != 0u) != (OIT_COVERED == OIT_BY_SAMPLE))\n"
+    "        discard;\n"
+    "#endif\n"
     "    uint start = oit_pixel[OIT_START(p)], end = oit_pixel[OIT_START(p + 1u)];\n"
     "#if OIT_ASYNC\n"
     "    if (end > oit_pool.z)\n"
@@ -467,6 +687,9 @@ static const char *const oit_i_shader_oit_compose_frag[] = {
     "        discard;\n"
     "#endif\n"
     "    oit_lay_run((start - oit_pool.y) * uint(OIT_VECTORS), n);\n"
+    "#if OIT_KEEPS\n"
+    "    oit_lay_tail(p);\n"
+    "#endif\n"
     "#if OIT_MODE == OIT_MODE_DUAL\n"
     "    oit_out = vec4(oit_sum, 0.0);\n"
     "    oit_keep = vec4(oit_light.w * oit_through, 0.0);\n"
@@ -492,20 +715,18 @@ static const char *const oit_i_shader_oit_compose_glsl[] = {
     "vec3 oit_sum = vec3(0.0);\n"
     "OIT_THROUGH oit_through = OIT_THROUGH(1.0);\n"
     "\n"
-    "// Below 2^-24 of it nothing behind can change a float that is brighter than that.\n"
-    "bool oit_visible()\n"
+    "void oit_lay(uvec4 r, uvec4 q)\n"
     "{\n"
-    "#if OIT_HAS_BLEND\n"
-    "    return max(oit_through.r, max(oit_through.g, oit_through.b)) > 5.9604645e-8;\n"
-    "#else\n"
-    "    return oit_through > 5.9604645e-8;\n"
+    "#if OIT_COVERED == OIT_BY_SAMPLE\n"
+    "    if ((OIT_COVERAGE_OF(OIT_SORTED_WORD(OIT_AT_COVERAGE)) >> uint(gl_SampleID) & 1u) == 0u)\n"
+    "        return;\n"
     "#endif\n"
-    "}\n"
-    "\n"
-    "void oit_lay(uint at)\n"
-    "{\n"
-    "    uvec4 words = oit_record_words(at);\n"
+    "    uvec4 words = oit_color_words(r, q);\n"
     "    vec4 color = oit_unpack_color(words);\n"
+    "#if OIT_COVERED == OIT_BY_SHARE\n"
+    "    color *= vec4(vec3(OIT_PREMULTIPLIED == 1 ? OIT_SHARE(OIT_COVERAGE_OF(OIT_SORTED_WORD(OIT_AT_COVERAGE))) : 1.0),\n"
+    "                  OIT_SHARE(OIT_COVERAGE_OF(OIT_SORTED_WORD(OIT_AT_COVERAGE))));\n"
+    "#endif\n"
     "#if OIT_PREMULTIPLIED\n"
     "    vec3 light = color.rgb;\n"
     "#else\n"
@@ -515,7 +736,7 @@ static const char *const oit_i_shader_oit_compose_glsl[] = {
     "#if OIT_COLOR == OIT_COLOR_8\n"
     "    uint blend = words.x >> 30u;\n"
     "#else\n"
-    "    uint blend = OIT_WORD(at, OIT_AT_BLEND);\n"
+    "    uint blend = OIT_SORTED_WORD(OIT_AT_BLEND) & 255u;\n"
     "#endif\n"
     "    if (blend == 2u) { // multiply: seen through a filter of that colour\n"
     "        oit_through *= 1.0 - color.a + light;\n"
@@ -528,6 +749,24 @@ static const char *const oit_i_shader_oit_compose_glsl[] = {
     "    oit_sum += oit_through * light;\n"
     "#endif\n"
     "    oit_through *= 1.0 - color.a;\n"
+    "}\n"
+    "\n"
+    "void oit_lay(uint at)\n"
+    "{\n"
+    "    uvec4 r, q;\n"
+    "    oit_load(at, r, q);\n"
+    "    oit_lay(r, q);\n"
+    "}\n"
+    "\n"
+    "#if OIT_DEEP\n"
+    "// Behind what is opaque all weights are zero, so that to stop there changes no bit.\n"
+    "bool oit_visible()\n"
+    "{\n"
+    "#if OIT_HAS_BLEND\n"
+    "    return max(oit_through.r, max(oit_through.g, oit_through.b)) > 0.0;\n"
+    "#else\n"
+    "    return oit_through > 0.0;\n"
+    "#endif\n"
     "}\n"
     "\n"
     "// All records of one depth, in their order, each found anew: ties are rare.\n"
@@ -550,13 +789,66 @@ static const char *const oit_i_shader_oit_compose_glsl[] = {
     "    }\n"
     "}\n"
     "\n"
-    "// What oit_i_add_network writes is made of these: registers d (depth) and o (where the record lies).\n"
-    "#define L(d, o, i) uint d = OIT_NONE, o = base; if (i < n) { o = base + i * uint(OIT_VECTORS); d = oit_record_depth(o); }\n"
-    "#define S(d, o, e, p) { bool g = e < d; uint t = g ? p : o; p = g ? o : p; o = t; t = min(d, e); e = max(d, e); d = t; }\n"
-    "#define T(d, e, i) tie = tie || (d == e && i < n);\n"
+    "// What oit_i_put_selection writes is made of these: registers d (depth) and o (where the record lies).\n"
     "#define D(d, o) uint d = OIT_NONE, o = base;\n"
     "#define I(d, o) { s = s || x < d; uint t = d; d = s ? x : d; x = s ? t : x; t = o; o = s ? y : o; y = s ? t : y; }\n"
-    "uint oit_order[OIT_CLASS + OIT_DEEP];\n",
+    "uint oit_order[OIT_CLASS + 1];\n"
+    "#else\n"
+    "// By all their words, so that two of which neither comes after the other are alike: ties need no further care.\n"
+    "bool oit_words_after(uvec4 a, uvec4 b, bool more)\n"
+    "{\n"
+    "    return a.x > b.x || (a.x == b.x && (a.y > b.y || (a.y == b.y && (a.z > b.z || (a.z == b.z && (a.w > b.w || (a.w == b.w && more)))))));\n"
+    "}\n"
+    "\n"
+    "// What oit_i_put_network writes is made of these: registers r and q (oit_load), swapped where they are in the wrong order,\n"
+    "// then laid. Each record is read once; what is not there comes after all that is, and has no colour and no alpha.\n"
+    "#define L(r, q, i) uvec4 r = uvec4(OIT_NONE, 0u, 0u, 0u), q = uvec4(0u); if (i < n) oit_load(base + i * uint(OIT_VECTORS), r, q);\n"
+    "#if OIT_SORTED > 4\n"
+    "#define S(r, q, u, v) { bool g = oit_words_after(r, u, oit_words_after(q, v, false)); uvec4 t = g ? u : r; u = g ? r : u; r = t; t = g ? v : q; v = g ? q : v; q = t; }\n"
+    "#else\n"
+    "#define S(r, q, u, v) { bool g = oit_words_after(r, u, false); uvec4 t = g ? u : r; u = g ? r : u; r = t; }\n"
+    "#endif\n"
+    "#define Y(r, q, i) oit_lay(r, q);\n"
+    "#endif\n",
+    0};
+static const char *const oit_i_shader_oit_depth_frag[] = {
+    "#line 1\n"
+    "// For: oit_buffers.h\n"
+    "// The depth of the composite: of the fragment with which the transmittance falls below oit_output.x. Where it never does,\n"
+    "// what the host has put there stays. Written as a depth and as a colour; masks say which of them is taken.\n"
+    "layout(location = 0) out highp vec4 oit_out;\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "#if OIT_HAS_COVERAGE\n"
+    "    if (OIT_OUTSIDE)\n"
+    "        discard;\n"
+    "#endif\n"
+    "    ivec2 where = ivec2(gl_FragCoord.xy) - oit_area.xy;\n"
+    "    uint base, n, at = OIT_NONE;\n"
+    "    if (!oit_find_run(uint(where.y) * uint(oit_area.z) + uint(where.x), base, n))\n"
+    "        discard;\n"
+    "    for (uint i = 0u; i < n; ++i) {\n"
+    "        at = oit_next(base, n, at);\n"
+    "        oit_lay(at);\n"
+    "#if OIT_HAS_BLEND\n"
+    "        float through = max(oit_through.r, max(oit_through.g, oit_through.b));\n"
+    "#else\n"
+    "        float through = oit_through;\n"
+    "#endif\n"
+    "        if (through < oit_output.x) {\n"
+    "#if OIT_REVERSED_Z\n"
+    "            float depth = uintBitsToFloat(0x7fffffffu - oit_record_depth(at));\n"
+    "#else\n"
+    "            float depth = uintBitsToFloat(oit_record_depth(at));\n"
+    "#endif\n"
+    "            gl_FragDepth = depth;\n"
+    "            oit_out = vec4(depth);\n"
+    "            return;\n"
+    "        }\n"
+    "    }\n"
+    "    discard;\n"
+    "}\n",
     0};
 static const char *const oit_i_shader_oit_frame_block_glsl[] = {
     "#line 1\n"
@@ -566,9 +858,14 @@ static const char *const oit_i_shader_oit_frame_block_glsl[] = {
     "{\n"
     "    highp ivec4 oit_area;  // x, y of the slab's corner in the target, its width and height\n"
     "    highp uvec4 oit_pool;  // x: pixels of the slab, y: first fragment of the band, z: capacity, w: blocks of the scan\n"
-    "    highp uvec4 oit_step;  // x: 1 with the first slab of a frame, y: what is deeper is left to the program for all depths\n"
+    "    highp uvec4 oit_step;  // x: 1 with the first slab of a frame, y: what is deeper is left to the program for all depths,\n"
+    "                           // w: k of the stores that keep the k nearest\n"
     "    highp uvec4 oit_above; // what is not deeper than this is left to the program before: of up to 8, 16, 32, 64\n"
     "    highp vec4 oit_light;  // xyz: toward the light, unit length; zero: no shading. w: weight of the background\n"
+    "    highp vec4 oit_output; // x: transmittance below which the depth of the composite is taken\n"
+    "    highp ivec4 oit_part;          // x, y of the corner in the target, width and height of what is filled and composed now\n"
+    "    highp uvec4 oit_samples;       // x: a bit for each sample of the target\n"
+    "    highp vec4 oit_positions[4];   // of two samples each, from the middle of the pixel\n"
     "};\n"
     "\n"
     "// The pixel buffer: 16 words of totals, then two words a pixel (where its run starts; how many fragments are still to\n"
@@ -584,10 +881,32 @@ static const char *const oit_i_shader_oit_frame_block_glsl[] = {
     "#define OIT_START(p) (OIT_HEADER + 2u * (p))\n"
     "#define OIT_LEFT(p) (OIT_HEADER + 1u + 2u * (p))\n"
     "#define OIT_SUM(b) (OIT_HEADER + 2u + 2u * oit_pool.x + (b))\n"
-    "#define OIT_TAIL(p) (OIT_HEADER + 2u + 2u * oit_pool.x + oit_pool.w + 4u * (p))\n"
+    "#define OIT_MORE (OIT_HEADER + 2u + 2u * oit_pool.x + oit_pool.w)\n"
+    "#if OIT_KEEPS\n"
+    "// With the stores that keep the k nearest: six words a pixel for the tail, the limit (keys from there on are not kept),\n"
+    "// k + 1 keys; and k buckets of two words: a part, and which records it has.\n"
+    "#define OIT_LAYERS oit_step.w\n"
+    "#define OIT_TAIL(p) (OIT_MORE + 6u * (p))\n"
+    "#define OIT_LIMIT(p) (OIT_MORE + 6u * oit_pool.x + (p))\n"
+    "#define OIT_KEY(p, i) (OIT_MORE + 7u * oit_pool.x + (p) * (OIT_LAYERS + 1u) + (i))\n"
+    "#define OIT_BUCKET(p, i) (OIT_MORE + (8u + OIT_LAYERS) * oit_pool.x + 2u * ((p) * OIT_LAYERS + (i)))\n"
+    "#else\n"
+    "#define OIT_TAIL(p) (OIT_MORE + 4u * (p))\n"
+    "#endif\n"
+    "#define OIT_NONE 0xffffffffu\n"
+    "\n"
+    "// With OIT_HAS_COVERAGE one word a pixel follows: 1 where a fragment covers not all of its samples.\n"
+    "#define OIT_EDGE(p) (OIT_TAIL(oit_pool.x * uint(OIT_ASYNC)) + (p))\n"
     "\n"
     "// With what is to come of a pixel whose run does not fit. A pixel has less than 2^30 fragments.\n"
     "#define OIT_UNFIT 0x40000000u\n"
+    "\n"
+    "// Mesa 22's software driver lets multisampled fragments pass beyond the scissor box, by one pixel to the left and below.\n"
+    "#define OIT_OUTSIDE (any(lessThan(ivec2(gl_FragCoord.xy), oit_part.xy)) || \\\n"
+    "                     any(greaterThanEqual(ivec2(gl_FragCoord.xy), oit_part.xy + oit_part.zw)))\n"
+    "\n"
+    "// The part of a pixel that some of its samples are.\n"
+    "#define OIT_SHARE(covered) (float(bitCount(covered)) / float(max(bitCount(oit_samples.x), 1)))\n"
     "\n"
     "// A block of the scan: 128 invocations of 8 pixels each.\n"
     "#define OIT_BLOCK 1024u\n",
@@ -602,14 +921,148 @@ static const char *const oit_i_shader_oit_fullscreen_vert[] = {
     "    gl_Position = vec4(2.0 * corner - 1.0, 0.0, 1.0);\n"
     "}\n",
     0};
+static const char *const oit_i_shader_oit_keep_comp[] = {
+    "#line 1\n"
+    "// For: oit_buffers.h\n"
+    "// Between the two geometry passes of the stores that keep the k nearest: what is kept of each pixel. With more than k\n"
+    "// fragments the limit is the greatest of its k + 1 smallest keys. Fewer than k + 1 lie below, and those that equal it,\n"
+    "// which do not all fit, go to the tail together: which ones are kept depends on the set of fragments alone.\n"
+    "layout(local_size_x = 128) in;\n"
+    "layout(std430, binding = OIT_BINDING_PIXELS) buffer oit_pixels { uint oit_pixel[]; };\n"
+    "shared uint oit_all[5];     // needed, deepest, lost pixels, lost fragments\n"
+    "shared uint oit_classes[5]; // pixels by how many fragments are kept\n"
+    "\n"
+    "uint oit_kept(uint p, uint count)\n"
+    "{\n"
+    "    uint limit = OIT_NONE, kept = count;\n"
+    "    if (count > OIT_LAYERS) {\n"
+    "        limit = 0u;\n"
+    "        kept = 0u;\n"
+    "        for (uint i = 0u; i <= OIT_LAYERS; ++i)\n"
+    "            limit = max(limit, oit_pixel[OIT_KEY(p, i)]);\n"
+    "        for (uint i = 0u; i <= OIT_LAYERS; ++i)\n"
+    "            kept += oit_pixel[OIT_KEY(p, i)] < limit ? 1u : 0u;\n"
+    "    }\n"
+    "    oit_pixel[OIT_LIMIT(p)] = limit;\n"
+    "    return kept;\n"
+    "}\n"
+    "\n"
+    "void oit_keep_nearest(uint p)\n"
+    "{\n"
+    "    uint count = oit_pixel[OIT_LEFT(p)];\n"
+    "    uint kept = oit_kept(p, count);\n"
+    "    oit_pixel[OIT_START(p)] = p * OIT_LAYERS;\n"
+    "    oit_pixel[OIT_LEFT(p)] = OIT_LAYERS;\n"
+    "    atomicAdd(oit_all[0], count);\n"
+    "    atomicMax(oit_all[1], count);\n"
+    "    atomicAdd(oit_all[2], kept < count ? 1u : 0u);\n"
+    "    atomicAdd(oit_all[3], count - kept);\n"
+    "    if (kept > 0u)\n"
+    "        atomicAdd(oit_classes[kept <= 8u ? 0u : min(uint(findMSB(kept - 1u)) - 2u, 4u)], 1u);\n"
+    "}\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    uint block = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;\n"
+    "    uint self = gl_LocalInvocationID.x;\n"
+    "    if (self < 5u)\n"
+    "        oit_all[self] = oit_classes[self] = 0u;\n"
+    "    barrier();\n"
+    "    for (uint i = 0u; i < 8u; ++i) {\n"
+    "        uint p = block * OIT_BLOCK + 128u * i + self;\n"
+    "        if (p < oit_pool.x)\n"
+    "            oit_keep_nearest(p);\n"
+    "    }\n"
+    "    barrier();\n"
+    "    if (self < 5u && oit_classes[self] > 0u)\n"
+    "        atomicAdd(oit_pixel[OIT_PIXELS + self], oit_classes[self]);\n"
+    "    if (self == 0u && block == 0u)\n"
+    "        oit_pixel[OIT_START(oit_pool.x)] = oit_pool.x * OIT_LAYERS;\n"
+    "    if (self == 0u) {\n"
+    "        atomicAdd(oit_pixel[OIT_NEEDED], oit_all[0]);\n"
+    "        atomicMax(oit_pixel[OIT_DEEPEST], oit_all[1]);\n"
+    "        atomicAdd(oit_pixel[OIT_LOST_PIXELS], oit_all[2]);\n"
+    "        atomicAdd(oit_pixel[OIT_LOST], oit_all[3]);\n"
+    "    }\n"
+    "}\n",
+    0};
+static const char *const oit_i_shader_oit_ordered_glsl[] = {
+    "#line 1\n"
+    "// For: oit_buffers.h\n"
+    "// A pixel's run in its order without a sort, for what looks at few of its records: picking, the depth of the composite.\n"
+    "\n"
+    "// Where the run of pixel p lies, and how many records it has; false where it did not fit into the pool.\n"
+    "bool oit_find_run(uint p, out uint base, out uint n)\n"
+    "{\n"
+    "    uint start = oit_pixel[OIT_START(p)], end = oit_pixel[OIT_START(p + 1u)];\n"
+    "    bool fits = true;\n"
+    "#if OIT_ASYNC\n"
+    "    fits = end <= oit_pool.z;\n"
+    "#endif\n"
+    "    // Fragments that were counted and did not come have left the first places empty.\n"
+    "    if (fits)\n"
+    "        start += uint(max(int(oit_pixel[OIT_LEFT(p)]), 0));\n"
+    "    n = end - start;\n"
+    "    base = (start - oit_pool.y) * uint(OIT_VECTORS);\n"
+    "    return fits;\n"
+    "}\n"
+    "\n"
+    "// The record that comes next after `last`, or the first one after OIT_NONE; OIT_NONE after the last.\n"
+    "uint oit_next(uint base, uint n, uint last)\n"
+    "{\n"
+    "    uint best = OIT_NONE, nearest = OIT_NONE;\n"
+    "    uint before = last == OIT_NONE ? 0u : oit_record_depth(last);\n"
+    "    for (uint i = 0u; i < n; ++i) {\n"
+    "        uint at = base + i * uint(OIT_VECTORS), depth = oit_record_depth(at);\n"
+    "        if (depth < before || depth > nearest)\n"
+    "            continue;\n"
+    "        if (last != OIT_NONE && depth == before && !oit_after(at, last))\n"
+    "            continue;\n"
+    "        if (best != OIT_NONE && depth == nearest && !oit_after(best, at))\n"
+    "            continue;\n"
+    "        best = at;\n"
+    "        nearest = depth;\n"
+    "    }\n"
+    "    return best;\n"
+    "}\n",
+    0};
+static const char *const oit_i_shader_oit_pick_comp[] = {
+    "#line 1\n"
+    "// For: oit_buffers.h\n"
+    "// One fragment of one pixel, the one that `layer` others come before, with all its words; and how many there are.\n"
+    "layout(local_size_x = 128) in;\n"
+    "layout(std430, binding = OIT_BINDING_REPORT) buffer oit_picks { uint oit_pick[]; }; // x, y, layer; layers, found; record\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    ivec2 where = ivec2(oit_pick[0], oit_pick[1]) - oit_area.xy;\n"
+    "    uint self = gl_LocalInvocationID.x, layer = oit_pick[2], base, n;\n"
+    "    bool fits = oit_find_run(uint(where.y) * uint(oit_area.z) + uint(where.x), base, n);\n"
+    "    bool found = fits && layer < n;\n"
+    "    if (self == 0u) {\n"
+    "        oit_pick[3] = n;\n"
+    "        oit_pick[4] = found ? 1u : 0u;\n"
+    "    }\n"
+    "    for (uint i = self; found && i < n; i += 128u) {\n"
+    "        uint at = base + i * uint(OIT_VECTORS), before = 0u;\n"
+    "        for (uint k = 0u; k < n; ++k)\n"
+    "            before += oit_after(at, base + k * uint(OIT_VECTORS)) ? 1u : 0u;\n"
+    "        for (uint k = 0u; before == layer && k < uint(OIT_VECTORS); ++k)\n"
+    "            for (int lane = 0; lane < OIT_LANES; ++lane)\n"
+    "                oit_pick[5u + k * uint(OIT_LANES) + uint(lane)] = oit_data[at + k][lane];\n"
+    "    }\n"
+    "}\n",
+    0};
 static const char *const oit_i_shader_oit_record_glsl[] = {
     "#line 1\n"
     "// For: oit_buffers.h\n"
     "// Records read back: the order of two, colour, how it is laid over what is behind.\n"
+    "#ifdef OIT_ARRANGES\n"
+    "layout(std430, binding = OIT_BINDING_PIXELS) buffer oit_pixels { uint oit_pixel[]; };\n"
+    "#else\n"
     "layout(std430, binding = OIT_BINDING_PIXELS) readonly buffer oit_pixels { uint oit_pixel[]; };\n"
+    "#endif\n"
     "layout(std430, binding = OIT_BINDING_FRAGMENTS) readonly buffer oit_fragments { OIT_VECTOR oit_data[]; };\n"
-    "\n"
-    "#define OIT_NONE 0xffffffffu\n"
     "\n"
     "// Whether the record at a comes after that at b; by their words, then by where they lie, which only tells apart records\n"
     "// that are alike in every word.\n"
@@ -643,18 +1096,49 @@ static const char *const oit_i_shader_oit_record_glsl[] = {
     "#endif\n"
     "}\n"
     "\n"
-    "// The words of the colour; of one vector where they lie in one, which some drivers load much faster.\n"
-    "uvec4 oit_record_words(uint at)\n"
+    "// The words by which records are sorted and composed: the first OIT_SORTED of them, depth to colour and blend, in two\n"
+    "// vectors; zeros after them. What a record carries beyond cannot be seen in the picture.\n"
+    "#define OIT_COVERAGE_OF(word) ((word) >> uint(OIT_COVERAGE_SHIFT))\n"
+    "#define OIT_SORTED_WORD(i) ((i) < 4 ? r[(i) & 3] : q[(i) & 3])\n"
+    "void oit_load(uint at, out uvec4 r, out uvec4 q)\n"
     "{\n"
-    "#if OIT_COLOR != OIT_COLOR_FLOAT && OIT_LANES == 4 && OIT_AT_COLOR < 3\n"
-    "    uvec4 w = oit_data[at];\n"
-    "    return uvec4(w[OIT_AT_COLOR], w[OIT_AT_COLOR + 1], 0u, 0u);\n"
-    "#elif OIT_COLOR != OIT_COLOR_FLOAT\n"
-    "    return uvec4(OIT_WORD(at, OIT_AT_COLOR), OIT_WORD(at, OIT_AT_COLOR + 1), 0u, 0u);\n"
-    "#else\n"
-    "    return uvec4(OIT_WORD(at, OIT_AT_COLOR), OIT_WORD(at, OIT_AT_COLOR + 1), OIT_WORD(at, OIT_AT_COLOR + 2),\n"
-    "                 OIT_WORD(at, OIT_AT_COLOR + 3));\n"
+    "    q = uvec4(0u);\n"
+    "#if OIT_LANES == 4\n"
+    "    r = oit_data[at];\n"
+    "#if OIT_SORTED > 4\n"
+    "    q = oit_data[at + 1u];\n"
     "#endif\n"
+    "#else\n"
+    "    r = uvec4(oit_data[at], oit_data[at + 1u]);\n"
+    "#if OIT_SORTED > 4\n"
+    "    q.xy = oit_data[at + 2u];\n"
+    "#endif\n"
+    "#if OIT_SORTED > 6\n"
+    "    q.zw = oit_data[at + 3u];\n"
+    "#endif\n"
+    "#endif\n"
+    "#if OIT_SORTED < 4\n"
+    "    r.w = 0u;\n"
+    "#endif\n"
+    "#if OIT_SORTED < 6\n"
+    "    q.y = 0u;\n"
+    "#endif\n"
+    "#if OIT_SORTED < 7\n"
+    "    q.z = 0u;\n"
+    "#endif\n"
+    "#if OIT_SORTED < 8\n"
+    "    q.w = 0u;\n"
+    "#endif\n"
+    "}\n"
+    "\n"
+    "uvec4 oit_color_words(uvec4 r, uvec4 q)\n"
+    "{\n"
+    "    uvec4 w = uvec4(OIT_SORTED_WORD(OIT_AT_COLOR), OIT_SORTED_WORD(OIT_AT_COLOR + 1), 0u, 0u);\n"
+    "#if OIT_COLOR == OIT_COLOR_FLOAT\n"
+    "    w.z = OIT_SORTED_WORD(OIT_AT_COLOR + 2);\n"
+    "    w.w = OIT_SORTED_WORD(OIT_AT_COLOR + 3);\n"
+    "#endif\n"
+    "    return w;\n"
     "}\n",
     0};
 static const char *const oit_i_shader_oit_report_comp[] = {
@@ -742,7 +1226,14 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "// one record of OIT_VECTORS vectors into the pixel's run. Records are written so that their words, compared one after the\n"
     "// other, give the order in which they are composed: depth, part, key, and all else for fragments that tie.\n"
     "layout(early_fragment_tests) in;\n"
+    "#if OIT_HAS_COVERAGE && OIT_POST_DEPTH\n"
+    "layout(post_depth_coverage) in;\n"
+    "#endif\n"
+    "#if OIT_KEEPS && OIT_PASS == OIT_COUNT\n"
+    "layout(std430, binding = OIT_BINDING_PIXELS) coherent buffer oit_pixels { uint oit_pixel[]; };\n"
+    "#else\n"
     "layout(std430, binding = OIT_BINDING_PIXELS) buffer oit_pixels { uint oit_pixel[]; };\n"
+    "#endif\n"
     "#if OIT_PASS == OIT_FILL\n"
     "layout(std430, binding = OIT_BINDING_FRAGMENTS) writeonly buffer oit_fragments { OIT_VECTOR oit_data[]; };\n"
     "#endif\n"
@@ -786,10 +1277,52 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "    return vec4(c, clamp(oit_finite(color.a), 0.0, 1.0));\n"
     "}\n"
     "\n"
+    "#if OIT_HAS_COVERAGE\n"
+    "// The samples that the fragment covers and that lie before the host's opaque things. Where the driver knows coverage only\n"
+    "// from before the depth test, and where the host wants it, each sample is a fragment of its own.\n"
+    "uint oit_coverage()\n"
+    "{\n"
+    "#if OIT_POST_DEPTH\n"
+    "    return uint(gl_SampleMaskIn[0]);\n"
+    "#else\n"
+    "    return 1u << uint(gl_SampleID);\n"
+    "#endif\n"
+    "}\n"
+    "\n"
+    "#if OIT_POST_DEPTH\n"
+    "// The middle of the pixel may lie beyond the edge of the triangle, where the planes of a body's front and back have crossed\n"
+    "// already: the depth is that at the middle of the samples that are covered. Derivatives are taken where control flow is\n"
+    "// uniform, before whatever the host's main does; ES has no such place.\n"
+    "#if OIT_ES\n"
+    "#define OIT_SLOPE vec2(dFdx(gl_FragCoord.z), dFdy(gl_FragCoord.z))\n"
+    "#else\n"
+    "vec2 oit_slope = vec2(dFdx(gl_FragCoord.z), dFdy(gl_FragCoord.z));\n"
+    "#define OIT_SLOPE oit_slope\n"
+    "#endif\n"
+    "\n"
+    "float oit_depth()\n"
+    "{\n"
+    "    vec2 slope = OIT_SLOPE, sum = vec2(0.0);\n"
+    "    uint covered = oit_coverage();\n"
+    "    if (covered == oit_samples.x)\n"
+    "        return gl_FragCoord.z;\n"
+    "    for (uint i = 0u; i < 8u; ++i) {\n"
+    "        vec4 two = oit_positions[i >> 1u];\n"
+    "        sum += (covered >> i & 1u) != 0u ? ((i & 1u) != 0u ? two.zw : two.xy) : vec2(0.0);\n"
+    "    }\n"
+    "    return clamp(gl_FragCoord.z + dot(slope, sum / float(max(bitCount(covered), 1))), 0.0, 1.0);\n"
+    "}\n"
+    "#else\n"
+    "#define oit_depth() gl_FragCoord.z\n"
+    "#endif\n"
+    "#else\n"
+    "#define oit_depth() gl_FragCoord.z\n"
+    "#endif\n"
+    "\n"
     "// Ascends from the eye on, in either convention. A depth of -0.0 is 0.0.\n"
     "uint oit_depth_bits()\n"
     "{\n"
-    "    uint bits = floatBitsToUint(gl_FragCoord.z);\n"
+    "    uint bits = floatBitsToUint(oit_depth());\n"
     "    bits = bits > 0x7fffffffu ? 0u : bits;\n"
     "#if OIT_REVERSED_Z\n"
     "    bits = 0x7fffffffu - bits;\n"
@@ -802,6 +1335,53 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "    ivec2 at = ivec2(gl_FragCoord.xy) - oit_area.xy;\n"
     "    return uint(at.y) * uint(oit_area.z) + uint(at.x);\n"
     "}\n"
+    "\n"
+    "#if OIT_KEEPS\n"
+    "// By what the k nearest are chosen, the same in both geometry passes: all bits of the depth, or (Murray 2016, section 4.2)\n"
+    "// 16 of it and then 16 of the part. Never OIT_NONE.\n"
+    "uint oit_key(oit_fragment f)\n"
+    "{\n"
+    "#if OIT_KEY_BITS == 16\n"
+    "    uint depth = uint(clamp(gl_FragCoord.z, 0.0, 1.0) * 65534.0);\n"
+    "#if OIT_REVERSED_Z\n"
+    "    depth = 65534u - depth;\n"
+    "#endif\n"
+    "    return depth << 16u | (f.part & 0xffffu);\n"
+    "#else\n"
+    "    return oit_depth_bits();\n"
+    "#endif\n"
+    "}\n"
+    "#endif\n"
+    "\n"
+    "#if OIT_KEEPS && OIT_PASS == OIT_COUNT\n",
+    "#line 134\n"
+    "// Leaves the k + 1 smallest keys of the pixel in its k + 1 words, in no order. A word only ever gets smaller, and by a\n"
+    "// swap that fails where another fragment was there before. So when the swap succeeds, all that was read of the other words\n"
+    "// is still an upper bound of them: the key that goes is the greatest of the k + 2, whatever else is under way, and a key\n"
+    "// that is not less than all words read is not less than all words are. The smallest k + 1 stay, in any order of arrival.\n"
+    "// No word ever exceeds the limit once it is set, which spares most fragments the search.\n"
+    "void oit_select(uint p, uint key)\n"
+    "{\n"
+    "    uint place = atomicAdd(oit_pixel[OIT_LEFT(p)], 1u);\n"
+    "    if (place <= OIT_LAYERS && atomicCompSwap(oit_pixel[OIT_KEY(p, place)], OIT_NONE, key) == OIT_NONE)\n"
+    "        return;\n"
+    "    while (key < oit_pixel[OIT_LIMIT(p)]) {\n"
+    "        uint most = 0u, second = 0u, at = 0u;\n"
+    "        for (uint i = 0u; i <= OIT_LAYERS; ++i) {\n"
+    "            uint other = oit_pixel[OIT_KEY(p, i)];\n"
+    "            second = max(second, min(other, most));\n"
+    "            at = other >= most ? i : at;\n"
+    "            most = max(most, other);\n"
+    "        }\n"
+    "        if (key >= most)\n"
+    "            return;\n"
+    "        if (atomicCompSwap(oit_pixel[OIT_KEY(p, at)], most, key) == most) {\n"
+    "            atomicMin(oit_pixel[OIT_LIMIT(p)], max(second, key));\n"
+    "            return;\n"
+    "        }\n"
+    "    }\n"
+    "}\n"
+    "#endif\n"
     "\n"
     "#if OIT_PASS == OIT_FILL\n"
     "#if OIT_HAS_NORMAL\n"
@@ -845,7 +1425,7 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "        w[OIT_AT_COLOR + i] = floatBitsToUint(color[i]);\n"
     "#endif\n"
     "#if OIT_HAS_BLEND && OIT_COLOR != OIT_COLOR_8\n"
-    "    w[OIT_AT_BLEND] = f.blend;\n"
+    "    w[OIT_AT_BLEND] = f.blend & 255u;\n"
     "#endif\n"
     "#if OIT_HAS_NORMAL\n"
     "    w[OIT_AT_NORMAL] = oit_pack_normal(f.normal);\n"
@@ -853,6 +1433,9 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "#if OIT_HAS_UV\n"
     "    w[OIT_AT_UV] = floatBitsToUint(f.uv.x);\n"
     "    w[OIT_AT_UV + 1] = floatBitsToUint(f.uv.y);\n"
+    "#endif\n"
+    "#if OIT_HAS_COVERAGE\n"
+    "    w[OIT_AT_COVERAGE] |= oit_coverage() << uint(OIT_COVERAGE_SHIFT);\n"
     "#endif\n"
     "#if OIT_HOST_WORDS > 0\n"
     "    for (int i = 0; i < OIT_HOST_WORDS; ++i)\n"
@@ -866,15 +1449,17 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "#endif\n"
     "}\n"
     "\n"
-    "#if OIT_ASYNC\n"
-    "// The tail: sums that do not depend on the order, in integers so that rounding does not either. The layers of a pixel are\n",
-    "#line 132\n"
-    "// taken as mixed evenly: optical depths add, colours are weighted by them. Bits are shared out by the count of the\n"
-    "// pixel, so that no sum overflows: colours up to 4 and optical depths up to 11 make less than 64 a fragment.\n"
-    "void oit_to_tail(uint p, uint count, oit_fragment f)\n"
+    "#if OIT_ASYNC || OIT_KEEPS\n"
+    "// The tail: sums that do not depend on the order, in integers so that rounding does not either. The layers of a pixel are\n"
+    "// taken as mixed evenly: optical depths add, colours are weighted by them. Colours up to 4 and optical depths up to 11 make\n"
+    "// less than 64 a fragment.\n"
+    "vec4 oit_tail_parts(oit_fragment f)\n"
     "{\n"
     "    vec4 color = oit_finite(f.color);\n"
-    "    float scale = exp2(float(26 - findMSB(count) - 1));\n"
+    "#if OIT_HAS_COVERAGE // the tail knows no samples: a fragment is as much thinner as it covers less of the pixel\n",
+    "#line 236\n"
+    "    color *= vec4(vec3(OIT_PREMULTIPLIED == 1 ? OIT_SHARE(oit_coverage()) : 1.0), OIT_SHARE(oit_coverage()));\n"
+    "#endif\n"
     "    float thickness = min(-log(1.0 - min(color.a, 0.999999)), 11.0);\n"
     "    vec3 c = clamp(color.rgb, 0.0, 4.0);\n"
     "#if OIT_PREMULTIPLIED\n"
@@ -893,7 +1478,27 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "        weight = 0.0;\n"
     "    }\n"
     "#endif\n"
-    "    uvec4 parts = uvec4(vec4(c * weight, thickness) * scale + 0.5);\n"
+    "    return vec4(c * weight, thickness);\n"
+    "}\n"
+    "\n"
+    "#if OIT_KEEPS\n"
+    "// In units of 2^-26, with 16 more bits by carries: how many there are follows from the sum alone. A fragment makes less\n"
+    "// than one, so that 65,535 fragments do not overflow.\n"
+    "void oit_to_tail(uint p, oit_fragment f)\n"
+    "{\n"
+    "    uvec4 parts = uvec4(oit_tail_parts(f) * 67108864.0 + 0.5);\n"
+    "    for (uint c = 0u; c < 4u; ++c) {\n"
+    "        uint before = atomicAdd(oit_pixel[OIT_TAIL(p) + c], parts[c]);\n"
+    "        if (before > 0xffffffffu - parts[c])\n"
+    "            atomicAdd(oit_pixel[OIT_TAIL(p) + 4u + (c >> 1u)], 1u << (16u * (c & 1u)));\n"
+    "    }\n"
+    "}\n"
+    "#else\n"
+    "// Bits are shared out by the count of the pixel, so that no sum overflows.\n"
+    "void oit_to_tail(uint p, uint count, oit_fragment f)\n"
+    "{\n"
+    "    float scale = exp2(float(26 - findMSB(count) - 1));\n"
+    "    uvec4 parts = uvec4(oit_tail_parts(f) * scale + 0.5);\n"
     "    atomicAdd(oit_pixel[OIT_TAIL(p)], parts.r);\n"
     "    atomicAdd(oit_pixel[OIT_TAIL(p) + 1u], parts.g);\n"
     "    atomicAdd(oit_pixel[OIT_TAIL(p) + 2u], parts.b);\n"
@@ -901,13 +1506,28 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "}\n"
     "#endif\n"
     "#endif\n"
+    "#endif\n"
     "\n"
     "void oit_store(oit_fragment f)\n"
     "{\n"
     "    uint p = oit_pixel_index();\n"
-    "#if OIT_PASS == OIT_COUNT\n"
+    "#if OIT_HAS_COVERAGE\n"
+    "    if (OIT_OUTSIDE)\n"
+    "        return;\n"
+    "    if (oit_coverage() != oit_samples.x)\n"
+    "        oit_pixel[OIT_EDGE(p)] = 1u;\n"
+    "#endif\n"
+    "#if OIT_KEEPS && OIT_PASS == OIT_COUNT\n"
+    "    oit_select(p, oit_key(f));\n"
+    "#elif OIT_PASS == OIT_COUNT\n"
     "    atomicAdd(oit_pixel[OIT_LEFT(p)], 1u);\n"
     "#else\n"
+    "#if OIT_KEEPS\n"
+    "    if (oit_key(f) >= oit_pixel[OIT_LIMIT(p)]) {\n"
+    "        oit_to_tail(p, f);\n"
+    "        return;\n"
+    "    }\n"
+    "#endif\n"
     "    uint left = atomicAdd(oit_pixel[OIT_LEFT(p)], 0xffffffffu);\n"
     "#if OIT_ASYNC\n"
     "    if (left >> 30u == 1u) { // OIT_UNFIT, and not what wraps below 0\n"
@@ -1017,13 +1637,17 @@ static const char *const oit_i_shader_oit_surface_frag[] = {
     "#if OIT_WANTS_NORMAL\n"
     "in vec3 oit_v_normal;\n"
     "#endif\n"
-    "#if OIT_PASS == OIT_FILL && (OIT_HAS_PART || OIT_HAS_KEY || OIT_HAS_BLEND)\n"
+    "#if (OIT_PASS == OIT_FILL && (OIT_HAS_PART || OIT_HAS_KEY || OIT_HAS_BLEND)) || OIT_KEY_BITS == 16\n"
     "uniform uvec4 oit_object; // part, key, blend\n"
     "#endif\n"
     "\n"
     "void main()\n"
     "{\n"
-    "#if OIT_PASS == OIT_COUNT\n"
+    "#if OIT_PASS == OIT_COUNT && OIT_KEY_BITS == 16\n"
+    "    oit_fragment f;\n"
+    "    f.part = oit_object.x;\n"
+    "    oit_store(f);\n"
+    "#elif OIT_PASS == OIT_COUNT\n"
     "    oit_store(vec4(0.0));\n"
     "#else\n"
     "    vec4 color = oit_object_color;\n"
@@ -1095,7 +1719,6 @@ static const char *const oit_i_shader_oit_tail_frag[] = {
     "#line 1\n"
     "// For: oit_buffers.h\n"
     "// The pixels whose runs did not fit, from the sums of oit_to_tail: layers of mean colour, as thick as all together.\n"
-    "layout(std430, binding = OIT_BINDING_PIXELS) readonly buffer oit_pixels { uint oit_pixel[]; };\n"
     "#if OIT_MODE == OIT_MODE_DUAL\n"
     "layout(location = 0, index = 0) out highp vec4 oit_out;\n"
     "layout(location = 0, index = 1) out highp vec4 oit_keep;\n"
@@ -1105,18 +1728,27 @@ static const char *const oit_i_shader_oit_tail_frag[] = {
     "\n"
     "void main()\n"
     "{\n"
+    "#if OIT_HAS_COVERAGE\n"
+    "    if (OIT_OUTSIDE)\n"
+    "        discard;\n"
+    "#endif\n"
     "    ivec2 where = ivec2(gl_FragCoord.xy) - oit_area.xy;\n"
     "    uint p = uint(where.y) * uint(oit_area.z) + uint(where.x);\n"
     "    uint start = oit_pixel[OIT_START(p)], end = oit_pixel[OIT_START(p + 1u)];\n"
+    "#if OIT_KEEPS\n"
+    "    // Where some fragments are kept, the tail is laid behind them with the run.\n"
+    "    start += uint(max(int(oit_pixel[OIT_LEFT(p)]), 0));\n"
+    "    if (end != start || oit_pixel[OIT_LIMIT(p)] == OIT_NONE)\n"
+    "        discard;\n"
+    "    vec4 sums = oit_tail_sums(p);\n"
+    "#else\n"
     "    if (end <= oit_pool.z || end == start)\n"
     "        discard;\n"
-    "    float unit = exp2(float(findMSB(end - start) - 25));\n"
-    "    uint at = OIT_TAIL(p);\n"
-    "    vec3 light = vec3(uvec3(oit_pixel[at], oit_pixel[at + 1u], oit_pixel[at + 2u])) * unit;\n"
-    "    float thickness = float(oit_pixel[at + 3u]) * unit;\n"
-    "    float through = exp(-thickness);\n"
-    "    // (1 - e^-t) / t, whose quotient loses its digits near 0.\n"
-    "    vec3 sum = light * (thickness > 1.0e-3 ? (1.0 - through) / thickness : 1.0 - 0.5 * thickness);\n"
+    "    vec4 sums = oit_tail_sums(p, end - start);\n"
+    "#endif\n"
+    "    vec4 tail = oit_tail_light(sums);\n"
+    "    vec3 sum = tail.rgb;\n"
+    "    float through = tail.a;\n"
     "#if OIT_MODE == OIT_MODE_DUAL\n"
     "    oit_out = vec4(sum, 0.0);\n"
     "    oit_keep = vec4(vec3(oit_light.w * through), 0.0);\n"
@@ -1164,8 +1796,12 @@ static const char *const oit_i_shader_oit_tops_comp[] = {
 /* ---- GL: enumerants and the function table ---------------------------------------------------------------------- */
 
 #define OIT_I_GL_ACTIVE_UNIFORMS 0x8B86u
+#define OIT_I_GL_ALWAYS 0x0207u
 #define OIT_I_GL_ALREADY_SIGNALED 0x911Au
 #define OIT_I_GL_BLEND 0x0BE2u
+#define OIT_I_GL_MULTISAMPLE 0x809Du
+#define OIT_I_GL_SAMPLE_POSITION 0x8E50u
+#define OIT_I_GL_SAMPLE_SHADING 0x8C36u
 #define OIT_I_GL_BLEND_DST_ALPHA 0x80CAu
 #define OIT_I_GL_BLEND_DST_RGB 0x80C8u
 #define OIT_I_GL_BLEND_EQUATION_ALPHA 0x883Du
@@ -1300,6 +1936,7 @@ typedef const char *const *oit_i_strings;
     X(void, GetProgramiv, (oit_i_u, oit_i_u, int32_t *))                                                               \
     X(void, GetShaderInfoLog, (oit_i_u, int32_t, int32_t *, char *))                                                   \
     X(void, GetShaderiv, (oit_i_u, oit_i_u, int32_t *))                                                                \
+    X(void, GetMultisamplefv, (oit_i_u, oit_i_u, float *))                                                             \
     X(int32_t, GetUniformLocation, (oit_i_u, const char *))                                                            \
     X(unsigned char, IsEnabled, (oit_i_u))                                                                             \
     X(unsigned char, IsProgram, (oit_i_u))                                                                             \
@@ -1353,7 +1990,14 @@ typedef struct oit_i_gl {
 /* ---- the context ------------------------------------------------------------------------------------------------ */
 
 /* Buffers; the first three by their binding points. */
-enum { OIT_I_PIXELS, OIT_I_FRAGMENTS, OIT_I_REPORT, OIT_I_UNIFORMS = OIT_I_REPORT + 3, OIT_I_BUFFER_COUNT };
+enum {
+    OIT_I_PIXELS,
+    OIT_I_FRAGMENTS,
+    OIT_I_REPORT,
+    OIT_I_UNIFORMS = OIT_I_REPORT + 3,
+    OIT_I_PICKED,
+    OIT_I_BUFFER_COUNT = OIT_I_PICKED + OIT_MAX_PICKS
+};
 #define OIT_I_REPORTS 3
 
 /* Runs are composed by programs for so many fragments, the last for all that are deeper. */
@@ -1374,11 +2018,16 @@ enum {
     OIT_I_PROGRAM_TOPS,
     OIT_I_PROGRAM_SPREAD,
     OIT_I_PROGRAM_REPORT,
+    OIT_I_PROGRAM_KEEP,
+    OIT_I_PROGRAM_ARRANGE,
     OIT_I_PROGRAM_COUNT,
     OIT_I_PROGRAM_FILL,
     OIT_I_PROGRAM_FILL_LIT,
     OIT_I_PROGRAM_COMPOSE, /* one a class, then that of the tail; all once more for the second draw */
-    OIT_I_PROGRAMS = OIT_I_PROGRAM_COMPOSE + 2 * (OIT_I_CLASSES + 1)
+    OIT_I_PROGRAM_SAMPLED = OIT_I_PROGRAM_COMPOSE + 2 * (OIT_I_CLASSES + 1), /* the same, sample by sample */
+    OIT_I_PROGRAM_PICK = OIT_I_PROGRAM_SAMPLED + 2 * (OIT_I_CLASSES + 1),
+    OIT_I_PROGRAM_DEPTH,
+    OIT_I_PROGRAMS
 };
 
 typedef struct oit_i_surface {
@@ -1389,8 +2038,21 @@ typedef struct oit_i_surface {
 typedef struct oit_i_block {
     int32_t area[4];
     oit_i_u pool[4], step[4], above[4];
-    float light[4];
+    float light[4], output[4];
+    int32_t part[4];
+    oit_i_u samples[4];
+    float positions[OIT_MAX_SAMPLES][2];
 } oit_i_block;
+
+/* A fragment that is asked for: free, asked for, left to the GPU, known without it (outside of the viewport). */
+enum { OIT_I_PICK_FREE, OIT_I_PICK_ASKED, OIT_I_PICK_RUNS, OIT_I_PICK_OUTSIDE };
+#define OIT_I_PICK_WORDS 32 /* x, y, layer; layers, found; the record */
+
+typedef struct oit_i_pick_slot {
+    int state, x, y, layer;
+    uint64_t turn, frame;
+    void *fence;
+} oit_i_pick_slot;
 
 #define OIT_I_HEADER_WORDS 16
 #define OIT_I_SCAN_BLOCK 1024
@@ -1398,7 +2060,7 @@ typedef struct oit_i_block {
 #define OIT_I_MAX_DRAW_BUFFERS 8
 #define OIT_I_MAX_CLIP_DISTANCES 8
 #define OIT_I_MAX_VIEWPORTS 16
-#define OIT_I_CAP_COUNT 14
+#define OIT_I_CAP_COUNT 16
 
 /* A binding point of a buffer with its range. */
 typedef struct oit_i_binding {
@@ -1429,20 +2091,35 @@ typedef enum oit_i_step {
     OIT_I_STEP_SPREAD,
     OIT_I_STEP_MEASURE, /* OIT_FIT_WAIT: totals to the report, and read */
     OIT_I_STEP_FILL,
-    OIT_I_STEP_FILLED, /* what is stored is the last part, and waits for oit_compose */
+    OIT_I_STEP_FILLED, /* all that is stored of the last part, which waits for oit_compose */
+    OIT_I_STEP_PICK,
     OIT_I_STEP_COMPOSE,
+    OIT_I_STEP_DEPTH,
+    OIT_I_STEP_COMPOSED,
     OIT_I_STEP_REPORT,
+    OIT_I_STEP_KEEP,
+    OIT_I_STEP_ARRANGE,
     OIT_I_STEP_DONE
 } oit_i_step;
 
+/* What a store does up to composing a slab, in this order; bands begin again at part_start. The last is
+   OIT_I_STEP_FILLED. */
+#define OIT_I_MAX_STEPS 12
+typedef struct oit_i_list {
+    unsigned char steps[OIT_I_MAX_STEPS];
+    oit_i_step part_start;
+} oit_i_list;
+
 #define OIT_I_MAX_STRINGS 24
-#define OIT_I_MAX_PREAMBLE 1400
+#define OIT_I_MAX_PREAMBLE 2000
 
 struct oit_context {
     oit_desc desc;
     oit_info info;
     oit_i_gl gl;
     int has_indexed, has_dual, viewports, draw_buffers, clip_distances;
+    int samples; /* of the frame's target; 0 or 1: not multisampled */
+    float positions[OIT_MAX_SAMPLES][2];
     int32_t max_viewport[2];
     char preamble[OIT_I_MAX_PREAMBLE];
     const char *strings[OIT_STAGE_COUNT][2][OIT_I_MAX_STRINGS];
@@ -1461,15 +2138,20 @@ struct oit_context {
     int slot; /* of the frame's report; -1: none is free */
     oit_i_snapshot saved;
     oit_frame frame;
+    const oit_i_list *list; /* of the frame's steps */
     oit_i_step step;
     oit_result failure; /* of this frame */
     int rows, slab_y, slab_rows;
+    int layers;              /* k of the stores that keep the k nearest; 0 for the others */
     int part[4];             /* x, y, width, height of the band within the slab */
     oit_i_u part_start;      /* its first fragment */
     oit_i_u needed, deepest; /* of the slab; OIT_FIT_WAIT */
     int compose_index;
     oit_i_u bands;
     int in_frame, saved_state;
+    oit_i_pick_slot picks[OIT_MAX_PICKS];
+    uint64_t pick_turns;
+    int pick; /* the slot of the present pass */
 };
 
 /* ---- text without stdio ----------------------------------------------------------------------------------------- */
@@ -1559,8 +2241,8 @@ OIT_I_API const char *oit_result_string(oit_result result) {
 }
 
 OIT_I_API const char *oit_pass_kind_name(oit_pass_kind kind) {
-    static const char *const names[OIT_PASS_KIND_COUNT] = {"clear",  "count",  "sum",  "tops",
-                                                           "spread", "report", "fill", "compose"};
+    static const char *const names[OIT_PASS_KIND_COUNT] = {"clear", "count",   "sum",  "tops",    "spread", "report",
+                                                           "fill",  "compose", "keep", "arrange", "pick",   "depth"};
     return (unsigned)kind < (unsigned)OIT_PASS_KIND_COUNT ? names[kind] : "not a pass";
 }
 
@@ -1720,6 +2402,19 @@ static oit_result oit_i_check_limit(const oit_desc *desc, const char *name, int6
 
 #define OIT_I_LEAST_BLOCK ((int64_t)1 << 24)
 
+/* What a fragment shader knows of samples. Coverage from before the depth test does not do. */
+static oit_result oit_i_find_coverage(oit_context *oit) {
+    const oit_i_gl *gl = &oit->gl;
+    oit_i_message message;
+    if (oit->info.es && !oit_i_has_extension(gl, "GL_OES_sample_variables")) {
+        oit_i_say(&message, "oit_create", "OIT_FIELD_COVERAGE needs GL_OES_sample_variables, which is not there");
+        return oit_i_refuse(&oit->desc, OIT_LIMIT_TOO_SMALL, &message);
+    }
+    if (!oit_i_has_extension(gl, oit->info.es ? "GL_EXT_post_depth_coverage" : "GL_ARB_post_depth_coverage"))
+        oit->desc.sample_order = 1;
+    return OIT_OK;
+}
+
 /* All limits that are too small are named. The size of blocks may be beyond 32 bits. */
 static oit_result oit_i_find_limits(oit_context *oit) {
     const oit_desc *desc = &oit->desc;
@@ -1742,6 +2437,8 @@ static oit_result oit_i_find_limits(oit_context *oit) {
     /* All of desktop GL that comes as far as this is newer. */
     info->image_atomics = info->version >= 320 || oit_i_has_extension(gl, "GL_OES_shader_image_atomic");
     oit->has_dual = !info->es;
+    if (result == OIT_OK && (desc->fields & OIT_FIELD_COVERAGE))
+        result = oit_i_find_coverage(oit);
     return result;
 }
 
@@ -1774,6 +2471,11 @@ static void oit_i_find_state_limits(oit_context *oit) {
     oit->gl.gl_GetIntegerv(OIT_I_GL_MAX_VIEWPORT_DIMS, oit->max_viewport);
 }
 
+/* Whether the store keeps the k nearest fragments of each pixel, and the sum of the others. */
+static int oit_i_keeps(const oit_desc *desc) {
+    return desc->store == OIT_STORE_BUDGET || desc->store == OIT_STORE_BUCKETED;
+}
+
 static const char *oit_i_bad_member(const oit_desc *desc) {
 #ifndef OIT_GL_STATIC
     if (!desc->get_proc)
@@ -1789,6 +2491,20 @@ static const char *oit_i_bad_member(const oit_desc *desc) {
         return "OIT_STATE_NONE goes with OIT_FIT_ASYNC: a read-back is a state call";
     if ((unsigned)desc->color > (unsigned)OIT_COLOR_FLOAT || (desc->fields & ~OIT_FIELD_ALL) != 0)
         return "color or fields has bits that are none";
+    if ((unsigned)desc->store > (unsigned)OIT_STORE_FETCH)
+        return "store is none of its enumerators";
+    if (desc->store != OIT_STORE_EXACT && !oit_i_keeps(desc))
+        return "store is one that this version does not have";
+    if (desc->budget_bytes < 0 || desc->layers < 0)
+        return "budget_bytes or layers is negative";
+    if (desc->bucket_depth_bits != 0 && desc->bucket_depth_bits != 16 && desc->bucket_depth_bits != 32)
+        return "bucket_depth_bits is none of 0, 16 and 32";
+    if (desc->store == OIT_STORE_BUCKETED && !(desc->fields & OIT_FIELD_PART))
+        return "OIT_STORE_BUCKETED groups fragments by OIT_FIELD_PART, which is not chosen";
+    if ((desc->fields & OIT_FIELD_COVERAGE) && desc->state == OIT_STATE_NONE)
+        return "OIT_FIELD_COVERAGE does not go with OIT_STATE_NONE: samples are the target's, which is not asked there";
+    if (desc->sample_order && !(desc->fields & OIT_FIELD_COVERAGE))
+        return "sample_order goes with OIT_FIELD_COVERAGE";
     if (desc->host_words < 0 || desc->host_words > OIT_MAX_HOST_WORDS)
         return "host_words is not in 0 ... 8";
     if (desc->ceiling_bytes < 0 || desc->max_block_bytes < 0)
@@ -1818,10 +2534,12 @@ static const oit_i_cap oit_i_caps[OIT_I_CAP_COUNT] = {
     {OIT_I_GL_DEPTH_CLAMP, 430, 0},
     {OIT_I_GL_SAMPLE_MASK, 430, 310},
     {OIT_I_GL_CULL_FACE, 430, 310}, /* both sides of a surface are layers */
+    {OIT_I_GL_SAMPLE_SHADING, 430, 320},
+    {OIT_I_GL_MULTISAMPLE, 430, 0}, /* the only one that is wanted on */
     {OIT_I_GL_DEPTH_TEST, 430, 310},
     {OIT_I_GL_SCISSOR_TEST, 430, 310},
 };
-#define OIT_I_CAPS_OFF 12
+#define OIT_I_CAPS_OFF 13
 
 static int oit_i_has_cap(const oit_context *oit, int index) {
     int since = oit->info.es ? oit_i_caps[index].es : oit_i_caps[index].desktop;
@@ -1955,7 +2673,7 @@ static void oit_i_save_defaults(oit_i_snapshot *saved) {
     memset(fresh.color_masks, 1, sizeof fresh.color_masks);
     memcpy(fresh.viewport, saved->viewport, sizeof fresh.viewport);
     memcpy(fresh.scissor, saved->scissor, sizeof fresh.scissor);
-    fresh.caps[1] = 1; /* dither */
+    fresh.caps[1] = fresh.caps[OIT_I_CAPS_OFF] = 1; /* dither, multisampling */
     fresh.depth_mask = 1;
     fresh.depth_func = (int32_t)OIT_I_GL_LESS;
     fresh.depth_range[1] = 1.0;
@@ -2073,6 +2791,8 @@ static void oit_i_apply(const oit_context *oit, const oit_state *state) {
     for (i = 0; i < OIT_I_CAPS_OFF; ++i)
         if (oit_i_has_cap(oit, i))
             gl->gl_Disable(oit_i_caps[i].name);
+    if (oit_i_has_cap(oit, OIT_I_CAPS_OFF))
+        gl->gl_Enable(oit_i_caps[OIT_I_CAPS_OFF].name);
     for (i = 0; i < oit->clip_distances; ++i)
         gl->gl_Disable(OIT_I_GL_CLIP_DISTANCE0 + (oit_i_u)i);
     for (i = 0; i < 4; ++i)
@@ -2087,7 +2807,7 @@ static void oit_i_apply(const oit_context *oit, const oit_state *state) {
     oit_i_set_depth_range(oit, 0.0, 1.0);
     oit_i_switch(oit, OIT_I_GL_DEPTH_TEST, state->depth_test);
     gl->gl_DepthFunc(state->depth_func);
-    gl->gl_DepthMask(0);
+    gl->gl_DepthMask((unsigned char)state->depth_write);
     if (!oit->info.es)
         gl->gl_PolygonMode(OIT_I_GL_FRONT_AND_BACK, OIT_I_GL_FILL);
     func[0] = state->blend_source;
@@ -2125,7 +2845,9 @@ static void oit_i_define(oit_i_text *text, const char *name, int64_t value) {
 
 /* Where the words of a record lie, in the order in which they are compared; 0: not there. */
 typedef struct oit_i_record {
-    int part, key, color, blend, normal, uv, host, words, lanes;
+    int part, key, color, blend, normal, uv, coverage, host, words, lanes;
+    int sorted;         /* words up to colour, blend and coverage, by which runs are sorted and composed: 8 at most */
+    int coverage_shift; /* bits; coverage shares the word of blend where that has one */
 } oit_i_record;
 
 static oit_i_record oit_i_layout(const oit_desc *desc) {
@@ -2140,6 +2862,11 @@ static oit_i_record oit_i_layout(const oit_desc *desc) {
     next += desc->color == OIT_COLOR_FLOAT ? 4 : 2;
     if ((desc->fields & OIT_FIELD_BLEND) && desc->color != OIT_COLOR_8)
         at.blend = next++;
+    if (desc->fields & OIT_FIELD_COVERAGE) {
+        at.coverage = at.blend ? at.blend : next++;
+        at.coverage_shift = at.blend ? 8 : 0;
+    }
+    at.sorted = next;
     if (desc->fields & OIT_FIELD_NORMAL)
         at.normal = next++;
     if (desc->fields & OIT_FIELD_UV) {
@@ -2154,10 +2881,25 @@ static oit_i_record oit_i_layout(const oit_desc *desc) {
     return at;
 }
 
+static int oit_i_key_bits(const oit_desc *desc) {
+    return desc->store == OIT_STORE_BUCKETED && desc->bucket_depth_bits == 16 ? 16 : 32;
+}
+
+/* gl_SampleID and gl_SampleMaskIn; and the latter as it is after the depth test. */
+static void oit_i_put_extensions(oit_i_text *text, const oit_desc *desc, int es) {
+    if (es)
+        oit_i_put(text, "#extension GL_OES_sample_variables : require\n");
+    if (!desc->sample_order)
+        oit_i_put(text, es ? "#extension GL_EXT_post_depth_coverage : require\n"
+                           : "#extension GL_ARB_post_depth_coverage : require\n");
+}
+
 /* What every stage begins with, after the version: what was chosen at creation. */
 static void oit_i_write_preamble(const oit_desc *desc, int es, char *at, size_t capacity) {
     oit_i_text text = oit_i_text_in(at, capacity);
     oit_i_record record = oit_i_layout(desc);
+    if (desc->fields & OIT_FIELD_COVERAGE) /* extensions come before all else */
+        oit_i_put_extensions(&text, desc, es);
     if (es)
         oit_i_put(&text, "precision highp float;\nprecision highp int;\n");
     oit_i_define(&text, "OIT_BINDING_PIXELS", desc->first_storage_binding + OIT_I_PIXELS);
@@ -2165,29 +2907,41 @@ static void oit_i_write_preamble(const oit_desc *desc, int es, char *at, size_t 
     oit_i_define(&text, "OIT_BINDING_REPORT", desc->first_storage_binding + OIT_I_REPORT);
     oit_i_define(&text, "OIT_UNIFORM_BINDING", desc->uniform_binding);
     oit_i_define(&text, "OIT_REVERSED_Z", desc->reversed_z != 0);
-    oit_i_define(&text, "OIT_ASYNC", desc->fit == OIT_FIT_ASYNC);
+    oit_i_define(&text, "OIT_ASYNC", desc->fit == OIT_FIT_ASYNC && !oit_i_keeps(desc));
     oit_i_define(&text, "OIT_PREMULTIPLIED", desc->premultiplied != 0);
     oit_i_define(&text, "OIT_HAS_PART", (desc->fields & OIT_FIELD_PART) != 0);
     oit_i_define(&text, "OIT_HAS_KEY", (desc->fields & OIT_FIELD_KEY) != 0);
     oit_i_define(&text, "OIT_HAS_BLEND", (desc->fields & OIT_FIELD_BLEND) != 0);
     oit_i_define(&text, "OIT_HAS_NORMAL", (desc->fields & OIT_FIELD_NORMAL) != 0);
     oit_i_define(&text, "OIT_HAS_UV", (desc->fields & OIT_FIELD_UV) != 0);
+    oit_i_define(&text, "OIT_HAS_COVERAGE", (desc->fields & OIT_FIELD_COVERAGE) != 0);
+    oit_i_define(&text, "OIT_POST_DEPTH", !desc->sample_order);
+    oit_i_define(&text, "OIT_ES", es != 0);
     oit_i_define(&text, "OIT_HOST_WORDS", desc->host_words);
     oit_i_define(&text, "OIT_LANES", record.lanes);
     oit_i_define(&text, "OIT_VECTORS", record.words / record.lanes);
     oit_i_put(&text, record.lanes == 4 ? "#define OIT_VECTOR uvec4\n" : "#define OIT_VECTOR uvec2\n");
+    oit_i_define(&text, "OIT_SORTED", record.sorted);
     oit_i_define(&text, "OIT_AT_PART", record.part);
     oit_i_define(&text, "OIT_AT_KEY", record.key);
     oit_i_define(&text, "OIT_AT_COLOR", record.color);
     oit_i_define(&text, "OIT_AT_BLEND", record.blend);
     oit_i_define(&text, "OIT_AT_NORMAL", record.normal);
     oit_i_define(&text, "OIT_AT_UV", record.uv);
+    oit_i_define(&text, "OIT_AT_COVERAGE", record.coverage);
+    oit_i_define(&text, "OIT_COVERAGE_SHIFT", record.coverage_shift);
     oit_i_define(&text, "OIT_AT_HOST", record.host);
     oit_i_define(&text, "OIT_COLOR", (int)desc->color);
+    oit_i_define(&text, "OIT_STORE", (int)desc->store);
+    oit_i_define(&text, "OIT_KEEPS", oit_i_keeps(desc));
+    oit_i_define(&text, "OIT_KEY_BITS", oit_i_key_bits(desc));
+    oit_i_put(&text, "#define OIT_EXACT 0\n#define OIT_PREDICT 1\n#define OIT_BUDGET 2\n");
+    oit_i_put(&text, "#define OIT_LINKED 3\n#define OIT_BUCKETED 4\n#define OIT_FETCH 5\n");
     oit_i_put(&text, "#define OIT_COLOR_8 0\n#define OIT_COLOR_HALF 1\n#define OIT_COLOR_FLOAT 2\n");
     oit_i_put(&text, "#define OIT_COUNT 0\n#define OIT_FILL 1\n");
     oit_i_put(&text, "#define OIT_MODE_OVER 0\n#define OIT_MODE_DUAL 1\n");
     oit_i_put(&text, "#define OIT_MODE_FILTER 2\n#define OIT_MODE_LIGHT 3\n");
+    oit_i_put(&text, "#define OIT_BY_PIXEL 0\n#define OIT_BY_SAMPLE 1\n#define OIT_BY_SHARE 2\n");
 }
 
 /* A string of its own: what must follow the version at once, #extension lines, goes between this and the next. */
@@ -2211,17 +2965,11 @@ static void oit_i_host_source(oit_i_source *source, oit_stage stage, int fill, i
 
 #define OIT_I_NETWORK_CAPACITY ((size_t)48 << 10)
 
-static void oit_i_put_pair(oit_i_text *text, const char *macro, int first, int second) {
+static void oit_i_put_pair(oit_i_text *text, const char *macro, int i) {
     oit_i_put(text, macro);
-    oit_i_put_number(text, first);
+    oit_i_put_number(text, i);
     oit_i_put(text, ",o");
-    oit_i_put_number(text, first);
-    if (second >= 0) {
-        oit_i_put(text, ",d");
-        oit_i_put_number(text, second);
-        oit_i_put(text, ",o");
-        oit_i_put_number(text, second);
-    }
+    oit_i_put_number(text, i);
     oit_i_put(text, ")\n");
 }
 
@@ -2236,37 +2984,48 @@ static void oit_i_put_order(oit_i_text *text, int size) {
     }
 }
 
-/* oit_sort: up to `size` records in registers through Batcher's odd-even merge network. Returns whether depths tie. */
-static void oit_i_put_network(oit_i_text *text, int size) {
-    int i, j, k, p;
-    oit_i_put(text, "bool oit_sort(uint base, uint n)\n{\n");
+/* "M(r1,q1" and, unless second is negative, ",r2,q2". */
+static void oit_i_put_registers(oit_i_text *text, const char *macro, int first, int second) {
+    oit_i_put(text, macro);
+    oit_i_put(text, "(r");
+    oit_i_put_number(text, first);
+    oit_i_put(text, ",q");
+    oit_i_put_number(text, first);
+    if (second < 0)
+        return;
+    oit_i_put(text, ",r");
+    oit_i_put_number(text, second);
+    oit_i_put(text, ",q");
+    oit_i_put_number(text, second);
+}
+
+/* macro(r, q, i) for each of `size` registers */
+static void oit_i_put_each(oit_i_text *text, const char *macro, int size) {
+    int i;
     for (i = 0; i < size; ++i) {
-        oit_i_put(text, "L(d");
-        oit_i_put_number(text, i);
-        oit_i_put(text, ",o");
-        oit_i_put_number(text, i);
+        oit_i_put_registers(text, macro, i, -1);
         oit_i_put(text, ",");
         oit_i_put_number(text, i);
         oit_i_put(text, "u)\n");
     }
+}
+
+/* oit_lay_run for up to `size` records: read, put in order by Batcher's odd-even merge network, laid; all in registers, in
+   one straight line. */
+static void oit_i_put_network(oit_i_text *text, int size) {
+    int i, j, k, p;
+    oit_i_put(text, "void oit_lay_run(uint base, uint n)\n{\n");
+    oit_i_put_each(text, "L", size);
     for (p = 1; p < size; p *= 2)
         for (k = p; k >= 1; k /= 2)
             for (j = k % p; j + k < size; j += 2 * k)
                 for (i = 0; i < k && i + j + k < size; ++i)
-                    if ((i + j) / (2 * p) == (i + j + k) / (2 * p))
-                        oit_i_put_pair(text, "S(d", i + j, i + j + k);
-    oit_i_put(text, "bool tie = false;\n");
-    for (i = 1; i < size; ++i) {
-        oit_i_put(text, "T(d");
-        oit_i_put_number(text, i - 1);
-        oit_i_put(text, ",d");
-        oit_i_put_number(text, i);
-        oit_i_put(text, ",");
-        oit_i_put_number(text, i);
-        oit_i_put(text, "u)\n");
-    }
-    oit_i_put_order(text, size);
-    oit_i_put(text, "return tie;\n}\n");
+                    if ((i + j) / (2 * p) == (i + j + k) / (2 * p)) {
+                        oit_i_put_registers(text, "S", i + j, i + j + k);
+                        oit_i_put(text, ")\n");
+                    }
+    oit_i_put_each(text, "Y", size);
+    oit_i_put(text, "}\n");
 }
 
 /* oit_select: of n records the `size` first that come after (depth, from), by depth and then by where they lie. The last
@@ -2275,13 +3034,13 @@ static void oit_i_put_selection(oit_i_text *text, int size) {
     int i;
     oit_i_put(text, "void oit_select(uint base, uint n, bool more, inout uint depth, inout uint from)\n{\n");
     for (i = 0; i < size; ++i)
-        oit_i_put_pair(text, "D(d", i, -1);
+        oit_i_put_pair(text, "D(d", i);
     oit_i_put(text, "for (uint i = 0u; i < n; ++i) {\nuint y = base + i * uint(OIT_VECTORS), x = oit_record_depth(y);\n"
                     "if (x >= d");
     oit_i_put_number(text, size - 1);
     oit_i_put(text, " || (more && (x < depth || (x == depth && y <= from))))\ncontinue;\nbool s = false;\n");
     for (i = 0; i < size; ++i)
-        oit_i_put_pair(text, "I(d", i, -1);
+        oit_i_put_pair(text, "I(d", i);
     oit_i_put(text, "}\ndepth = d");
     oit_i_put_number(text, size - 2);
     oit_i_put(text, ";\nfrom = o");
@@ -2292,11 +3051,12 @@ static void oit_i_put_selection(oit_i_text *text, int size) {
 }
 
 /* scratch: OIT_I_NETWORK_CAPACITY characters, for text that is made here. */
-static void oit_i_compose_source(oit_i_source *source, int index, int mode, char *scratch) {
+static void oit_i_compose_source(oit_i_source *source, int index, int mode, int sampled, char *scratch) {
     oit_i_text text = oit_i_text_in(scratch, OIT_I_NETWORK_CAPACITY);
     int tail = index == OIT_I_CLASSES, deep = index == OIT_I_CLASSES - 1;
     size_t network;
     oit_i_define(&text, "OIT_MODE", mode);
+    oit_i_define(&text, "OIT_COVERED", sampled); /* OIT_BY_PIXEL or OIT_BY_SAMPLE */
     if (!tail) {
         oit_i_define(&text, "OIT_CLASS", oit_i_class_sizes[index]);
         oit_i_define(&text, "OIT_INDEX", index);
@@ -2304,11 +3064,13 @@ static void oit_i_compose_source(oit_i_source *source, int index, int mode, char
     }
     oit_i_add(source, scratch);
     oit_i_add_chunks(source, oit_i_shader_oit_frame_block_glsl);
+    if (!tail)
+        oit_i_add_chunks(source, oit_i_shader_oit_record_glsl);
+    oit_i_add_chunks(source, oit_i_shader_oit_behind_glsl);
     if (tail) {
         oit_i_add_chunks(source, oit_i_shader_oit_tail_frag);
         return;
     }
-    oit_i_add_chunks(source, oit_i_shader_oit_record_glsl);
     oit_i_add_chunks(source, oit_i_shader_oit_compose_glsl);
     network = text.length + 1;
     text = oit_i_text_in(scratch + network, OIT_I_NETWORK_CAPACITY - network);
@@ -2320,29 +3082,51 @@ static void oit_i_compose_source(oit_i_source *source, int index, int mode, char
     oit_i_add_chunks(source, oit_i_shader_oit_compose_frag);
 }
 
+/* In the order of OIT_I_PROGRAM_*. */
+static const oit_i_strings oit_i_kernels[] = {oit_i_shader_oit_clear_comp,  oit_i_shader_oit_sum_comp,
+                                              oit_i_shader_oit_tops_comp,   oit_i_shader_oit_spread_comp,
+                                              oit_i_shader_oit_report_comp, oit_i_shader_oit_keep_comp,
+                                              oit_i_shader_oit_arrange_comp};
+
 static void oit_i_compute_source(oit_i_source *source, int program) {
-    static const oit_i_strings kernels[] = {oit_i_shader_oit_clear_comp, oit_i_shader_oit_sum_comp,
-                                            oit_i_shader_oit_tops_comp, oit_i_shader_oit_spread_comp,
-                                            oit_i_shader_oit_report_comp};
     if (program == OIT_I_PROGRAM_TOPS || program == OIT_I_PROGRAM_SPREAD)
         oit_i_add(source, "#define OIT_SCANS 1\n");
     oit_i_add_chunks(source, oit_i_shader_oit_frame_block_glsl);
-    oit_i_add_chunks(source, oit_i_shader_oit_scan_glsl);
-    oit_i_add_chunks(source, kernels[program]);
+    if (program == OIT_I_PROGRAM_ARRANGE) {
+        oit_i_add(source, "#define OIT_ARRANGES 1\n");
+        oit_i_add_chunks(source, oit_i_shader_oit_record_glsl);
+        oit_i_add_chunks(source, oit_i_shader_oit_buckets_glsl);
+    } else {
+        oit_i_add_chunks(source, oit_i_shader_oit_scan_glsl);
+    }
+    oit_i_add_chunks(source, oit_i_kernels[program]);
 }
 
 static int oit_i_is_compute(int program) {
-    return program <= OIT_I_PROGRAM_REPORT;
+    return program < OIT_I_PROGRAM_COUNT || program == OIT_I_PROGRAM_PICK;
 }
 
 static int oit_i_is_surface(int program) {
     return program >= OIT_I_PROGRAM_COUNT && program <= OIT_I_PROGRAM_FILL_LIT;
 }
 
+/* Picking, and the depth of the composite: records in their order, without networks. */
+static void oit_i_ordered_source(oit_i_source *source, int program, const oit_desc *desc) {
+    oit_i_add(source, "#define OIT_CLASS 1\n#define OIT_DEEP 0\n");
+    oit_i_add(source, desc->fields & OIT_FIELD_COVERAGE ? "#define OIT_COVERED 2\n" : "#define OIT_COVERED 0\n");
+    oit_i_add_chunks(source, oit_i_shader_oit_frame_block_glsl);
+    oit_i_add_chunks(source, oit_i_shader_oit_record_glsl);
+    oit_i_add_chunks(source, oit_i_shader_oit_ordered_glsl);
+    if (program == OIT_I_PROGRAM_DEPTH)
+        oit_i_add_chunks(source, oit_i_shader_oit_compose_glsl);
+    oit_i_add_chunks(source, program == OIT_I_PROGRAM_PICK ? oit_i_shader_oit_pick_comp : oit_i_shader_oit_depth_frag);
+}
+
 /* The whole text of one stage of a built-in program; dual: there is dual-source blending. */
 static void oit_i_program_source(oit_i_source *source, int program, oit_stage stage, const oit_desc *desc, int es,
                                  const char *preamble, char *scratch) {
-    int index = program - OIT_I_PROGRAM_COMPOSE, mode = OIT_I_MODE_OVER;
+    int sampled = program >= OIT_I_PROGRAM_SAMPLED, mode = OIT_I_MODE_OVER;
+    int index = program - (sampled ? OIT_I_PROGRAM_SAMPLED : OIT_I_PROGRAM_COMPOSE);
     if (oit_i_is_surface(program)) {
         int fill = program != OIT_I_PROGRAM_COUNT, lit = program == OIT_I_PROGRAM_FILL_LIT;
         oit_i_host_source(source, stage, fill, es, preamble);
@@ -2353,14 +3137,16 @@ static void oit_i_program_source(oit_i_source *source, int program, oit_stage st
         return;
     }
     oit_i_add_preamble(source, es, preamble);
-    if (oit_i_is_compute(program)) {
+    if (program == OIT_I_PROGRAM_PICK || (program == OIT_I_PROGRAM_DEPTH && stage == OIT_FRAGMENT)) {
+        oit_i_ordered_source(source, program, desc);
+    } else if (oit_i_is_compute(program)) {
         oit_i_compute_source(source, program);
     } else if (stage == OIT_VERTEX) {
         oit_i_add_chunks(source, oit_i_shader_oit_fullscreen_vert);
     } else {
         if (desc->fields & OIT_FIELD_BLEND)
             mode = !es ? OIT_I_MODE_DUAL : index > OIT_I_CLASSES ? OIT_I_MODE_LIGHT : OIT_I_MODE_FILTER;
-        oit_i_compose_source(source, index % (OIT_I_CLASSES + 1), mode, scratch);
+        oit_i_compose_source(source, index % (OIT_I_CLASSES + 1), mode, sampled, scratch);
     }
 }
 
@@ -2491,6 +3277,8 @@ static void oit_i_limit_blocks(oit_context *oit) {
         oit->desc.ceiling_bytes = (int64_t)512 << 20;
     if (oit->desc.ceiling_bytes > most)
         oit->desc.ceiling_bytes = most;
+    if (oit->desc.budget_bytes == 0)
+        oit->desc.budget_bytes = (int64_t)256 << 20;
 }
 
 static oit_result oit_i_set_up(oit_context *oit) {
@@ -2555,6 +3343,11 @@ static void oit_i_drop_fences(oit_context *oit) {
             oit->gl.gl_DeleteSync(oit->fences[i]);
         oit->fences[i] = 0;
     }
+    for (i = 0; i < OIT_MAX_PICKS; ++i) {
+        if (oit->picks[i].fence)
+            oit->gl.gl_DeleteSync(oit->picks[i].fence);
+        oit->picks[i].fence = 0;
+    }
 }
 
 static void oit_i_drop_buffers(oit_context *oit) {
@@ -2567,6 +3360,7 @@ static void oit_i_drop_buffers(oit_context *oit) {
         oit->sizes[i] = 0;
     }
     oit->capacity = 0;
+    memset(oit->picks, 0, sizeof oit->picks);
 }
 
 OIT_I_API oit_result oit_release(oit_context *oit) {
@@ -2638,12 +3432,41 @@ static oit_i_u oit_i_blocks(int64_t pixels) {
     return (oit_i_u)((pixels + OIT_I_SCAN_BLOCK - 1) / OIT_I_SCAN_BLOCK);
 }
 
+/* Words of the pixel buffer for each fragment that may be kept: its key, and a bucket of two. */
+static int oit_i_kept_words(const oit_desc *desc) {
+    return desc->store == OIT_STORE_BUCKETED ? 3 : 1;
+}
+
+#define OIT_I_MAX_LAYERS 1024
+
+/* k: as many as the budget has room for in each pixel of the image. */
+static int oit_i_layers(const oit_context *oit, int64_t pixels) {
+    int64_t each = oit->info.fragment_bytes + 4 * oit_i_kept_words(&oit->desc);
+    int64_t most = oit->desc.layers ? oit->desc.layers : OIT_I_MAX_LAYERS;
+    int64_t layers = pixels > 0 ? oit->desc.budget_bytes / each / pixels : 0;
+    if (!oit_i_keeps(&oit->desc))
+        return 0;
+    if (most > OIT_I_MAX_LAYERS)
+        most = OIT_I_MAX_LAYERS;
+    return (int)(layers < most ? layers : most);
+}
+
 /* Of the pixel buffer, laid out as shaders/oit_frame_block.glsl says. */
 static int64_t oit_i_pixel_bytes(const oit_context *oit, int64_t pixels) {
     int64_t words = OIT_I_HEADER_WORDS + 2 * pixels + 2 + (int64_t)oit_i_blocks(pixels);
-    if (oit->desc.fit == OIT_FIT_ASYNC)
+    if (oit_i_keeps(&oit->desc))
+        words += (8 + (int64_t)oit->layers * oit_i_kept_words(&oit->desc)) * pixels;
+    else if (oit->desc.fit == OIT_FIT_ASYNC)
         words += 4 * pixels;
+    if (oit->desc.fields & OIT_FIELD_COVERAGE)
+        words += pixels;
     return 4 * words;
+}
+
+/* Whether the buffers of so many pixels are such as the context can have. */
+static int oit_i_can_hold(const oit_context *oit, int64_t pixels) {
+    return oit_i_pixel_bytes(oit, pixels) <= oit->desc.max_block_bytes &&
+           pixels * oit->layers * oit->info.fragment_bytes <= oit->desc.max_block_bytes;
 }
 
 /* Rows of the image that one pixel buffer holds: all, or as many as fit; 0 where not even one does. */
@@ -2651,7 +3474,7 @@ static int oit_i_rows_at_once(const oit_context *oit, int width, int height) {
     int low = 0, high = height;
     while (low < high) {
         int middle = low + (high - low + 1) / 2;
-        if (oit_i_pixel_bytes(oit, (int64_t)width * middle) <= oit->desc.max_block_bytes)
+        if (oit_i_can_hold(oit, (int64_t)width * middle))
             low = middle;
         else
             high = middle - 1;
@@ -2703,6 +3526,16 @@ static oit_result oit_i_upload_block(oit_context *oit, const oit_i_block *block)
     return OIT_OK;
 }
 
+/* k records a pixel; at least one, since a buffer of none cannot be bound. */
+static oit_result oit_i_make_places(oit_context *oit, int64_t pixels) {
+    int64_t places = pixels * oit->layers, bytes = (places > 0 ? places : 1) * oit_i_record_bytes(oit);
+    if (oit->sizes[OIT_I_FRAGMENTS] < bytes || oit->sizes[OIT_I_FRAGMENTS] / 4 > bytes)
+        if (!oit_i_resize(oit, OIT_I_FRAGMENTS, bytes, OIT_I_GL_DYNAMIC_COPY))
+            return oit_i_fail(&oit->desc, OIT_OUT_OF_MEMORY, "oit_begin", "no memory for the fragments");
+    oit->capacity = (oit_i_u)places;
+    return OIT_OK;
+}
+
 static oit_result oit_i_make_buffers(oit_context *oit) {
     int64_t pixels = (int64_t)oit->frame.width * oit->rows, bytes = oit_i_pixel_bytes(oit, pixels);
     int i;
@@ -2713,6 +3546,8 @@ static oit_result oit_i_make_buffers(oit_context *oit) {
     for (i = OIT_I_REPORT; i < OIT_I_REPORT + OIT_I_REPORTS; ++i)
         if (!oit->sizes[i] && !oit_i_resize(oit, i, 4 * OIT_I_HEADER_WORDS, OIT_I_GL_DYNAMIC_READ))
             return oit_i_fail(&oit->desc, OIT_OUT_OF_MEMORY, "oit_begin", "no memory for the reports");
+    if (oit_i_keeps(&oit->desc))
+        return oit_i_make_places(oit, pixels);
     if (oit->desc.fit == OIT_FIT_WAIT && oit->capacity)
         return OIT_OK;
     if (!oit->capacity)
@@ -2799,10 +3634,16 @@ static int oit_i_all_finite(const float *numbers, int count) {
 static oit_result oit_i_check_frame(oit_context *oit, const oit_frame *frame) {
     if (!oit_i_all_finite(&frame->background_weight, 1) || !oit_i_all_finite(frame->light, 3))
         return oit_i_fail(&oit->desc, OIT_INVALID_ARGUMENT, "oit_begin", "a number of the frame is not finite");
+    if ((unsigned)frame->depth > (unsigned)OIT_DEPTH_THRESHOLD)
+        return oit_i_fail(&oit->desc, OIT_INVALID_ARGUMENT, "oit_begin", "frame.depth is none of its enumerators");
+    if (frame->depth == OIT_DEPTH_THRESHOLD && !(oit_i_all_finite(&frame->depth_threshold, 1) &&
+                                                 frame->depth_threshold > 0.0f && frame->depth_threshold <= 1.0f))
+        return oit_i_fail(&oit->desc, OIT_INVALID_ARGUMENT, "oit_begin", "frame.depth_threshold is not in ]0,1]");
     if (frame->width < 0 || frame->height < 0)
         return oit_i_fail(&oit->desc, OIT_INVALID_ARGUMENT, "oit_begin", "frame.width or frame.height is negative");
     if (frame->width > oit->max_viewport[0] || frame->height > oit->max_viewport[1])
         return oit_i_fail(&oit->desc, OIT_TOO_LARGE, "oit_begin", "frame.width or frame.height");
+    oit->layers = oit_i_layers(oit, (int64_t)frame->width * frame->height);
     oit->rows = oit_i_rows_at_once(oit, frame->width, frame->height);
     if (oit->rows == 0 && frame->width > 0 && frame->height > 0)
         return oit_i_fail(&oit->desc, OIT_TOO_LARGE, "oit_begin", "one row is more than a storage block holds");
@@ -2812,16 +3653,46 @@ static oit_result oit_i_check_frame(oit_context *oit, const oit_frame *frame) {
     return OIT_OK;
 }
 
-static oit_result oit_i_check_target(oit_context *oit) {
-    int32_t bound = 0, samples = 0;
-    oit->gl.gl_BindFramebuffer(OIT_I_GL_DRAW_FRAMEBUFFER, oit->frame.framebuffer);
+static oit_result oit_i_check_framebuffer(oit_context *oit, oit_i_u framebuffer, const char *name) {
+    int32_t bound = 0;
+    oit->gl.gl_BindFramebuffer(OIT_I_GL_DRAW_FRAMEBUFFER, framebuffer);
     /* A name that is none is not bound, and what was bound before would pass for it. */
     oit->gl.gl_GetIntegerv(OIT_I_GL_DRAW_FRAMEBUFFER_BINDING, &bound);
-    if ((oit_i_u)bound != oit->frame.framebuffer ||
+    if ((oit_i_u)bound != framebuffer ||
         oit->gl.gl_CheckFramebufferStatus(OIT_I_GL_DRAW_FRAMEBUFFER) != OIT_I_GL_FRAMEBUFFER_COMPLETE)
-        return oit_i_fail(&oit->desc, OIT_TARGET_INCOMPLETE, "oit_begin", "frame.framebuffer");
-    oit->gl.gl_GetIntegerv(OIT_I_GL_SAMPLES, &samples);
-    return samples > 0 ? oit_i_fail(&oit->desc, OIT_TARGET_MULTISAMPLED, "oit_begin", "frame.framebuffer") : OIT_OK;
+        return oit_i_fail(&oit->desc, OIT_TARGET_INCOMPLETE, "oit_begin", name);
+    return OIT_OK;
+}
+
+/* How many samples the target that is bound has, and where they lie, from the middle of a pixel. */
+static oit_result oit_i_find_samples(oit_context *oit) {
+    int i, k;
+    oit->samples = 0;
+    memset(oit->positions, 0, sizeof oit->positions);
+    oit->gl.gl_GetIntegerv(OIT_I_GL_SAMPLES, &oit->samples);
+    if (oit->samples <= 1)
+        return OIT_OK;
+    if (!(oit->desc.fields & OIT_FIELD_COVERAGE))
+        return oit_i_fail(&oit->desc, OIT_TARGET_MULTISAMPLED, "oit_begin",
+                          "frame.framebuffer is multisampled, for which OIT_FIELD_COVERAGE has to be chosen");
+    if (oit->samples > OIT_MAX_SAMPLES)
+        return oit_i_fail(&oit->desc, OIT_TARGET_MULTISAMPLED, "oit_begin",
+                          "frame.framebuffer has more than OIT_MAX_SAMPLES samples");
+    for (i = 0; i < oit->samples; ++i) {
+        oit->gl.gl_GetMultisamplefv(OIT_I_GL_SAMPLE_POSITION, (oit_i_u)i, oit->positions[i]);
+        for (k = 0; k < 2; ++k)
+            oit->positions[i][k] -= 0.5f;
+    }
+    return OIT_OK;
+}
+
+static oit_result oit_i_check_target(oit_context *oit) {
+    oit_result result = OIT_OK;
+    if (oit->frame.depth != OIT_DEPTH_NONE)
+        result = oit_i_check_framebuffer(oit, oit->frame.depth_framebuffer, "frame.depth_framebuffer");
+    if (result == OIT_OK)
+        result = oit_i_check_framebuffer(oit, oit->frame.framebuffer, "frame.framebuffer");
+    return result == OIT_OK ? oit_i_find_samples(oit) : result;
 }
 
 static void oit_i_unit_vector(float out[4], const float in[3]) {
@@ -2833,9 +3704,12 @@ static void oit_i_unit_vector(float out[4], const float in[3]) {
 
 /* Which programs are drawn (bits of step[2]), the largest of them, and where each begins. */
 static void oit_i_choose_programs(const oit_context *oit, oit_i_block *block) {
-    oit_i_u deepest = oit->desc.fit == OIT_FIT_WAIT ? oit->deepest : oit->report.deepest, before = 0;
+    int keeps = oit_i_keeps(&oit->desc);
+    oit_i_u deepest = oit->desc.fit == OIT_FIT_WAIT && !keeps ? oit->deepest : oit->report.deepest, before = 0;
     uint64_t all = 0, waiting = 0;
     int i, last = 0;
+    if (keeps && deepest > (oit_i_u)oit->layers)
+        deepest = (oit_i_u)oit->layers;
     for (i = 0; i < OIT_I_CLASSES; ++i)
         all += oit->class_pixels[i];
     while (last < OIT_I_CLASSES - 2 && deepest > (oit_i_u)oit_i_class_sizes[last])
@@ -2850,6 +3724,13 @@ static void oit_i_choose_programs(const oit_context *oit, oit_i_block *block) {
         waiting = 0;
     }
     block->step[1] = before;
+}
+
+/* See oit_i_check_frame for what the threshold may be. */
+static float oit_i_depth_limit(const oit_frame *frame) {
+    if (frame->depth == OIT_DEPTH_THRESHOLD)
+        return frame->depth_threshold;
+    return frame->depth == OIT_DEPTH_FIRST ? 2.0f : 0.5f;
 }
 
 static oit_i_block oit_i_make_block(const oit_context *oit) {
@@ -2867,25 +3748,56 @@ static oit_i_block oit_i_make_block(const oit_context *oit) {
     block.pool[2] = oit->capacity;
     block.pool[3] = oit_i_blocks(pixels);
     block.step[0] = oit->slab_y == 0;
+    block.step[3] = (oit_i_u)oit->layers;
     oit_i_choose_programs(oit, &block);
     oit_i_unit_vector(block.light, frame->light);
     block.light[3] = weight == 0.0f ? 1.0f : weight < 0.0f ? 0.0f : weight > 1.0f ? 1.0f : weight;
+    block.output[0] = oit_i_depth_limit(frame);
+    block.part[0] = frame->x + oit->part[0];
+    block.part[1] = frame->y + oit->slab_y + oit->part[1];
+    block.part[2] = oit->part[2];
+    block.part[3] = oit->part[3];
+    block.samples[0] = (1u << (oit->samples > 1 ? oit->samples : 1)) - 1u;
+    memcpy(block.positions, oit->positions, sizeof block.positions);
     return block;
 }
 
-static int oit_i_compose_draws(const oit_context *oit) {
+/* Of whole pixels. */
+static int oit_i_pixel_draws(const oit_context *oit) {
     int two = (oit->desc.fields & OIT_FIELD_BLEND) && !oit->has_dual;
     return (two ? 2 : 1) * (OIT_I_CLASSES + 1);
 }
 
+/* Into a multisampled target all are drawn once more, for pixels whose samples differ. */
+static int oit_i_compose_draws(const oit_context *oit) {
+    return (oit->samples > 1 ? 2 : 1) * oit_i_pixel_draws(oit);
+}
+
+/* Whether the store has passes for that program. */
+static int oit_i_uses_program(const oit_context *oit, int program) {
+    int draw = program - OIT_I_PROGRAM_COMPOSE, keeps = oit_i_keeps(&oit->desc);
+    int sampled = program >= OIT_I_PROGRAM_SAMPLED;
+    if (program >= OIT_I_PROGRAM_SUM && program <= OIT_I_PROGRAM_SPREAD)
+        return !keeps;
+    if (program == OIT_I_PROGRAM_KEEP)
+        return keeps;
+    if (program == OIT_I_PROGRAM_ARRANGE)
+        return oit->desc.store == OIT_STORE_BUCKETED;
+    if (program == OIT_I_PROGRAM_DEPTH)
+        return oit->frame.depth != OIT_DEPTH_NONE;
+    if (sampled)
+        draw = program - OIT_I_PROGRAM_SAMPLED;
+    if (draw >= 0 && draw % (OIT_I_CLASSES + 1) == OIT_I_CLASSES) /* the tail */
+        return (oit->desc.fit == OIT_FIT_ASYNC || keeps) && !sampled;
+    return draw < oit_i_pixel_draws(oit) && (!sampled || oit->samples > 1);
+}
+
 static oit_result oit_i_make_programs(oit_context *oit) {
-    int i, last = OIT_I_PROGRAM_COMPOSE + oit_i_compose_draws(oit);
+    int i;
     oit_result result = OIT_OK;
-    for (i = 0; i < last && result == OIT_OK; ++i) {
-        int tail = i >= OIT_I_PROGRAM_COMPOSE && (i - OIT_I_PROGRAM_COMPOSE) % (OIT_I_CLASSES + 1) == OIT_I_CLASSES;
-        if (!tail || oit->desc.fit == OIT_FIT_ASYNC)
+    for (i = 0; i < OIT_I_PROGRAMS && result == OIT_OK; ++i)
+        if (oit_i_uses_program(oit, i))
             result = oit_i_make_program(oit, i);
-    }
     return result;
 }
 
@@ -2901,7 +3813,8 @@ static oit_result oit_i_prepare(oit_context *oit) {
         result = oit_i_fail(&oit->desc, OIT_OUT_OF_MEMORY, "oit_begin", "no vertex array");
     if (result == OIT_OK)
         result = oit_i_make_buffers(oit);
-    if (result == OIT_OK && news && oit->desc.fit == OIT_FIT_ASYNC && oit_i_capacity_is_wrong(oit, oit->report.needed))
+    if (result == OIT_OK && news && oit->desc.fit == OIT_FIT_ASYNC && !oit_i_keeps(&oit->desc) &&
+        oit_i_capacity_is_wrong(oit, oit->report.needed))
         result = oit_i_set_capacity(oit, oit_i_with_quarter(oit->report.needed), "oit_begin");
     if (result == OIT_OK) {
         block = oit_i_make_block(oit);
@@ -2909,6 +3822,35 @@ static oit_result oit_i_prepare(oit_context *oit) {
     }
     oit_i_return_target(oit, bound);
     return result;
+}
+
+/* ---- the steps of each store ---- */
+
+/* The k nearest are chosen by their keys in a first geometry pass, and come in a second. */
+static const oit_i_list oit_i_budget = {
+    {OIT_I_STEP_CLEAR, OIT_I_STEP_COUNT, OIT_I_STEP_KEEP, OIT_I_STEP_FILL, OIT_I_STEP_FILLED}, OIT_I_STEP_FILL};
+static const oit_i_list oit_i_bucketed = {
+    {OIT_I_STEP_CLEAR, OIT_I_STEP_COUNT, OIT_I_STEP_KEEP, OIT_I_STEP_FILL, OIT_I_STEP_ARRANGE, OIT_I_STEP_FILLED},
+    OIT_I_STEP_FILL};
+
+static const oit_i_list oit_i_exact = {{OIT_I_STEP_CLEAR, OIT_I_STEP_COUNT, OIT_I_STEP_SUM, OIT_I_STEP_TOPS,
+                                        OIT_I_STEP_SPREAD, OIT_I_STEP_MEASURE, OIT_I_STEP_FILL, OIT_I_STEP_FILLED},
+                                       OIT_I_STEP_FILL};
+
+/* The slab as one part. */
+static void oit_i_whole_part(oit_context *oit) {
+    oit->part[0] = oit->part[1] = 0;
+    oit->part[2] = oit->frame.width;
+    oit->part[3] = oit->slab_rows;
+    oit->part_start = 0;
+}
+
+static void oit_i_start_slab(oit_context *oit) {
+    oit->list = oit->desc.store == OIT_STORE_BUDGET     ? &oit_i_budget
+                : oit->desc.store == OIT_STORE_BUCKETED ? &oit_i_bucketed
+                                                        : &oit_i_exact;
+    oit->step = (oit_i_step)oit->list->steps[0];
+    oit_i_whole_part(oit);
 }
 
 static int oit_i_free_slot(oit_context *oit) {
@@ -2935,13 +3877,14 @@ OIT_I_API oit_result oit_begin(oit_context *oit, const oit_frame *frame) {
     oit->saved_state = 0;
     oit->slot = -1;
     oit->bands = 0;
-    oit->step = frame->width && frame->height ? OIT_I_STEP_CLEAR : OIT_I_STEP_DONE;
-    if (oit->step == OIT_I_STEP_CLEAR) {
+    oit->step = OIT_I_STEP_DONE;
+    if (frame->width && frame->height) {
         if (oit->desc.state != OIT_STATE_NONE) {
             oit_i_save(oit, &oit->saved);
             oit->saved_state = 1;
             result = oit_i_check_target(oit);
         }
+        oit_i_whole_part(oit);
         if (result == OIT_OK)
             result = oit_i_prepare(oit);
         if (result != OIT_OK) {
@@ -2951,6 +3894,7 @@ OIT_I_API oit_result oit_begin(oit_context *oit, const oit_frame *frame) {
         }
         ++oit->frame_number;
         oit->slot = oit_i_free_slot(oit);
+        oit_i_start_slab(oit);
     }
     oit->in_frame = 1;
     return OIT_OK;
@@ -2967,7 +3911,18 @@ OIT_I_API oit_result oit_begin(oit_context *oit, const oit_frame *frame) {
      spread   pixels: sums, counts read; starts written (and the tail cleared)   tops
      report   pixels: totals read; report written     spread (totals), fill and compose (extra, at the end)
      fill     pixels: starts read, counts atomics; fragments written             spread; compose of the band before
+     pick     pixels, fragments           read; one of the buffers for picks written   fill
      compose  pixels, fragments           read        fill
+     depth    pixels, fragments           read        fill
+
+   Of the stores that keep the k nearest:
+
+     clear    as above, and keys, limits, tail   written
+     count    pixels: counts, keys, limits       atomics, keys and limits also read   clear
+     keep     pixels: counts, keys read; starts, limits, left, totals written         count
+     fill     pixels: starts, limits read; left, tail atomics; fragments written      keep
+     arrange  pixels: starts, left read; keys, buckets both; fragments read           fill (bucketed)
+     compose  pixels, fragments read                                                  fill, arrange
 
    What the CPU maps (report; starts, to cut bands) takes a barrier of buffer updates, and then its fence, or waits. */
 static oit_i_u oit_i_barrier_before(oit_pass_kind kind) {
@@ -2986,6 +3941,14 @@ static oit_i_u oit_i_barrier_before(oit_pass_kind kind) {
         return OIT_I_GL_SHADER_STORAGE_BARRIER;
     case OIT_PASS_FILL:
         return OIT_I_GL_SHADER_STORAGE_BARRIER;
+    case OIT_PASS_KEEP:
+        return OIT_I_GL_SHADER_STORAGE_BARRIER;
+    case OIT_PASS_ARRANGE:
+        return OIT_I_GL_SHADER_STORAGE_BARRIER;
+    case OIT_PASS_PICK:
+        return OIT_I_GL_SHADER_STORAGE_BARRIER;
+    case OIT_PASS_DEPTH: /* compose, which always draws something, has waited for the same */
+        return 0;
     default: /* compose; its draws only read, so once before the first */
         return OIT_I_GL_SHADER_STORAGE_BARRIER;
     }
@@ -3013,10 +3976,20 @@ static int oit_i_program_of(const oit_context *oit, oit_pass_kind kind) {
         return OIT_I_PROGRAM_SPREAD;
     case OIT_PASS_REPORT:
         return OIT_I_PROGRAM_REPORT;
+    case OIT_PASS_KEEP:
+        return OIT_I_PROGRAM_KEEP;
+    case OIT_PASS_ARRANGE:
+        return OIT_I_PROGRAM_ARRANGE;
     case OIT_PASS_FILL:
         return oit_i_is_lit(oit) ? OIT_I_PROGRAM_FILL_LIT : OIT_I_PROGRAM_FILL;
+    case OIT_PASS_PICK:
+        return OIT_I_PROGRAM_PICK;
+    case OIT_PASS_DEPTH:
+        return OIT_I_PROGRAM_DEPTH;
     default:
-        return OIT_I_PROGRAM_COMPOSE + oit->compose_index;
+        return oit->compose_index < oit_i_pixel_draws(oit)
+                   ? OIT_I_PROGRAM_COMPOSE + oit->compose_index
+                   : OIT_I_PROGRAM_SAMPLED + oit->compose_index - oit_i_pixel_draws(oit);
     }
 }
 
@@ -3024,7 +3997,7 @@ static void oit_i_fill_groups(const oit_context *oit, oit_pass_kind kind, oit_st
     oit_i_u blocks = oit->block.pool[3];
     state->groups[0] = state->groups[1] = state->groups[2] = 1;
     /* A dimension has at least 65,535 groups everywhere. */
-    if (kind != OIT_PASS_TOPS && kind != OIT_PASS_REPORT && blocks > 1) {
+    if (kind != OIT_PASS_TOPS && kind != OIT_PASS_REPORT && kind != OIT_PASS_PICK && blocks > 1) {
         state->groups[0] = blocks < 32768u ? blocks : 32768u;
         state->groups[1] = (blocks + state->groups[0] - 1) / state->groups[0];
     }
@@ -3039,7 +4012,7 @@ static void oit_i_fill_blend(const oit_context *oit, oit_state *state) {
         return;
     if (oit->has_dual) {
         state->blend_destination = OIT_I_GL_SRC1_COLOR;
-    } else if (oit->compose_index <= OIT_I_CLASSES) {
+    } else if (oit->compose_index % oit_i_pixel_draws(oit) <= OIT_I_CLASSES) {
         state->blend_source = OIT_I_GL_ZERO;
         state->blend_destination = OIT_I_GL_SRC_COLOR;
     } else {
@@ -3050,7 +4023,7 @@ static void oit_i_fill_blend(const oit_context *oit, oit_state *state) {
 static void oit_i_fill_pass(const oit_context *oit, oit_pass_kind kind, oit_pass *pass) {
     oit_state *state = &pass->state;
     const int *part = oit->part;
-    int compose = kind == OIT_PASS_COMPOSE, i;
+    int compose = kind == OIT_PASS_COMPOSE, depth = kind == OIT_PASS_DEPTH, i;
     memset(pass, 0, sizeof *pass);
     pass->kind = kind;
     pass->name = oit_pass_kind_name(kind);
@@ -3065,11 +4038,13 @@ static void oit_i_fill_pass(const oit_context *oit, oit_pass_kind kind, oit_pass
     state->uniform_binding = oit->desc.uniform_binding;
     state->blend_source = OIT_I_GL_ONE;
     state->depth_func = oit->desc.reversed_z ? OIT_I_GL_GREATER : OIT_I_GL_LESS;
-    if (!oit_i_is_hosts(kind) && !compose) {
+    if (!oit_i_is_hosts(kind) && !compose && !depth) {
+        if (kind == OIT_PASS_PICK)
+            state->storage_buffers[2] = oit->buffers[OIT_I_PICKED + oit->pick];
         oit_i_fill_groups(oit, kind, state);
         return;
     }
-    state->framebuffer = oit->frame.framebuffer;
+    state->framebuffer = depth ? oit->frame.depth_framebuffer : oit->frame.framebuffer;
     state->viewport[0] = oit->frame.x;
     state->viewport[1] = oit->frame.y;
     state->viewport[2] = oit->frame.width;
@@ -3079,8 +4054,14 @@ static void oit_i_fill_pass(const oit_context *oit, oit_pass_kind kind, oit_pass
     state->scissor[2] = kind == OIT_PASS_COUNT ? oit->frame.width : part[2];
     state->scissor[3] = kind == OIT_PASS_COUNT ? oit->slab_rows : part[3];
     state->depth_test = !compose;
-    if (compose) {
+    if (depth) {
+        state->depth_func = OIT_I_GL_ALWAYS;
+        state->color_write = oit->frame.depth_to_color != 0;
+        state->depth_write = !state->color_write;
+    }
+    if (compose)
         oit_i_fill_blend(oit, state);
+    if (compose || depth) {
         state->vertex_array = oit->vertex_array;
         state->vertex_count = 3;
     }
@@ -3098,6 +4079,204 @@ static void oit_i_execute(const oit_context *oit, const oit_state *state) {
     oit->gl.gl_DrawArrays(OIT_I_GL_TRIANGLES, 0, state->vertex_count);
     oit->gl.gl_BindVertexArray((oit_i_u)vertex_array);
 }
+
+/* ---- picking ---------------------------------------------------------------------------------------------------- */
+
+static int oit_i_is_inside(int x, int y, int left, int bottom, int width, int height) {
+    return x >= left && y >= bottom && x - left < width && y - bottom < height;
+}
+
+/* One that is asked for in the part that is stored now; -1: none. */
+static int oit_i_next_pick(const oit_context *oit) {
+    const int *part = oit->part;
+    int i;
+    for (i = 0; i < OIT_MAX_PICKS; ++i)
+        if (oit->picks[i].state == OIT_I_PICK_ASKED &&
+            oit_i_is_inside(oit->picks[i].x, oit->picks[i].y, oit->frame.x + part[0],
+                            oit->frame.y + oit->slab_y + part[1], part[2], part[3]))
+            return i;
+    return -1;
+}
+
+/* The end of a frame: fences behind what the GPU will know; what lies outside of the viewport is known now. */
+static void oit_i_end_picks(oit_context *oit) {
+    const oit_frame *frame = &oit->frame;
+    int i, barrier = 0;
+    for (i = 0; i < OIT_MAX_PICKS; ++i) {
+        oit_i_pick_slot *pick = &oit->picks[i];
+        if (pick->state == OIT_I_PICK_RUNS && pick->frame == oit->frame_number && !pick->fence) {
+            if (!barrier++)
+                oit->gl.gl_MemoryBarrier(OIT_I_GL_BUFFER_UPDATE_BARRIER);
+            pick->fence = oit->gl.gl_FenceSync(OIT_I_GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+            if (!pick->fence) /* the next frame answers */
+                pick->state = OIT_I_PICK_ASKED;
+        }
+        if (pick->state == OIT_I_PICK_ASKED && oit->step == OIT_I_STEP_DONE &&
+            !oit_i_is_inside(pick->x, pick->y, frame->x, frame->y, frame->width, frame->height)) {
+            pick->state = OIT_I_PICK_OUTSIDE;
+            pick->frame = oit->frame_number;
+        }
+    }
+}
+
+static oit_result oit_i_ask(oit_context *oit, int slot) {
+    const oit_i_pick_slot *pick = &oit->picks[slot];
+    int index = OIT_I_PICKED + slot;
+    oit_i_u words[3];
+    if (!oit->sizes[index] && !oit_i_resize(oit, index, 4 * OIT_I_PICK_WORDS, OIT_I_GL_DYNAMIC_READ))
+        return oit_i_fail(&oit->desc, OIT_OUT_OF_MEMORY, "oit_pick_begin", "no memory for the answer");
+    words[0] = (oit_i_u)pick->x;
+    words[1] = (oit_i_u)pick->y;
+    words[2] = (oit_i_u)pick->layer;
+    oit->gl.gl_BindBuffer(OIT_I_GL_COPY_WRITE_BUFFER, oit->buffers[index]);
+    oit->gl.gl_BufferSubData(OIT_I_GL_COPY_WRITE_BUFFER, 0, (ptrdiff_t)sizeof words, words);
+    return OIT_OK;
+}
+
+OIT_I_API oit_result oit_pick_begin(oit_context *oit, int x, int y, int layer) {
+    oit_result result;
+    int32_t bound;
+    int slot = 0;
+    if (!oit)
+        return OIT_INVALID_ARGUMENT;
+    if (layer < 0)
+        return oit_i_fail(&oit->desc, OIT_INVALID_ARGUMENT, "oit_pick_begin", "layer is negative");
+    while (slot < OIT_MAX_PICKS && oit->picks[slot].state != OIT_I_PICK_FREE)
+        ++slot;
+    if (slot == OIT_MAX_PICKS)
+        return oit_i_fail(&oit->desc, OIT_WRONG_ORDER, "oit_pick_begin", "OIT_MAX_PICKS are under way");
+    result = oit_i_make_program(oit, OIT_I_PROGRAM_PICK);
+    if (result != OIT_OK)
+        return result;
+    oit->picks[slot].x = x;
+    oit->picks[slot].y = y;
+    oit->picks[slot].layer = layer;
+    bound = oit_i_borrow_target(oit);
+    result = oit_i_ask(oit, slot);
+    oit_i_return_target(oit, bound);
+    if (result != OIT_OK)
+        return result;
+    oit->picks[slot].turn = ++oit->pick_turns;
+    oit->picks[slot].state = OIT_I_PICK_ASKED;
+    return OIT_OK;
+}
+
+static float oit_i_as_float(oit_i_u bits) {
+    float x;
+    memcpy(&x, &bits, sizeof x);
+    return x;
+}
+
+static float oit_i_half(oit_i_u bits) {
+    int exponent = (int)(bits >> 10 & 31u), mantissa = (int)(bits & 1023u);
+    double x = exponent ? ldexp(1024.0 + mantissa, exponent - 25) : ldexp((double)mantissa, -24);
+    return (float)(bits & 0x8000u ? -x : x);
+}
+
+static void oit_i_read_color(const oit_desc *desc, const oit_i_u *words, oit_pick *pick) {
+    int i;
+    for (i = 0; i < 4; ++i) {
+        if (desc->color == OIT_COLOR_FLOAT)
+            pick->color[i] = oit_i_as_float(words[i]);
+        else if (desc->color == OIT_COLOR_HALF)
+            pick->color[i] = oit_i_half(words[i / 2] >> 16 * (i % 2) & 0xffffu);
+        else
+            pick->color[i] = i < 3 ? (float)(words[0] >> 10 * i & 1023u) / 1023.0f : oit_i_as_float(words[1]);
+    }
+}
+
+/* Out of oit_pack_normal. */
+static void oit_i_read_normal(oit_i_u word, float normal[3]) {
+    double x[2], z, length;
+    int i;
+    for (i = 0; i < 2; ++i) {
+        int bits = (int)(word >> 16 * i & 0xffffu);
+        x[i] = (bits > 32767 ? bits - 65536 : bits) / 32767.0;
+        x[i] = x[i] < -1.0 ? -1.0 : x[i];
+    }
+    z = 1.0 - fabs(x[0]) - fabs(x[1]);
+    if (z < 0.0) {
+        double folded = (1.0 - fabs(x[1])) * (x[0] < 0.0 ? -1.0 : 1.0);
+        x[1] = (1.0 - fabs(x[0])) * (x[1] < 0.0 ? -1.0 : 1.0);
+        x[0] = folded;
+    }
+    length = sqrt(x[0] * x[0] + x[1] * x[1] + z * z);
+    normal[0] = (float)(x[0] / length);
+    normal[1] = (float)(x[1] / length);
+    normal[2] = (float)(z / length);
+}
+
+static void oit_i_read_record(const oit_desc *desc, const oit_i_u *words, oit_pick *pick) {
+    oit_i_record at = oit_i_layout(desc);
+    int i;
+    pick->depth = oit_i_as_float(desc->reversed_z ? 0x7fffffffu - words[0] : words[0]);
+    oit_i_read_color(desc, words + at.color, pick);
+    if (at.part)
+        pick->part = words[at.part];
+    if (at.key)
+        pick->key = words[at.key];
+    if (desc->fields & OIT_FIELD_BLEND)
+        pick->blend = at.blend ? words[at.blend] & 255u : words[at.color] >> 30;
+    if (at.normal)
+        oit_i_read_normal(words[at.normal], pick->normal);
+    for (i = 0; i < 2 && at.uv; ++i)
+        pick->uv[i] = oit_i_as_float(words[at.uv + i]);
+    if (at.coverage)
+        pick->coverage = words[at.coverage] >> at.coverage_shift;
+    for (i = 0; i < desc->host_words; ++i)
+        pick->words[i] = words[at.host + i];
+}
+
+/* The slot's fence has passed. The target must be borrowed. */
+static oit_result oit_i_read_pick(oit_context *oit, int slot, oit_pick *pick) {
+    const void *mapped;
+    oit_i_u words[OIT_I_PICK_WORDS];
+    oit->gl.gl_BindBuffer(OIT_I_GL_COPY_WRITE_BUFFER, oit->buffers[OIT_I_PICKED + slot]);
+    mapped = oit->gl.gl_MapBufferRange(OIT_I_GL_COPY_WRITE_BUFFER, 0, (ptrdiff_t)sizeof words, OIT_I_GL_MAP_READ_BIT);
+    if (!mapped)
+        return oit_i_fail(&oit->desc, OIT_OUT_OF_MEMORY, "oit_pick_result", "the answer cannot be mapped");
+    memcpy(words, mapped, sizeof words);
+    oit->gl.gl_UnmapBuffer(OIT_I_GL_COPY_WRITE_BUFFER);
+    pick->layers = words[3];
+    pick->found = words[4] == 1u;
+    if (pick->found)
+        oit_i_read_record(&oit->desc, words + 5, pick);
+    return OIT_OK;
+}
+
+OIT_I_API oit_result oit_pick_result(oit_context *oit, int wait, oit_pick *pick) {
+    oit_result result = OIT_OK;
+    oit_i_pick_slot *first = 0;
+    int32_t bound;
+    int i;
+    if (!oit || !pick)
+        return OIT_INVALID_ARGUMENT;
+    for (i = 0; i < OIT_MAX_PICKS; ++i)
+        if (oit->picks[i].state != OIT_I_PICK_FREE && (!first || oit->picks[i].turn < first->turn))
+            first = &oit->picks[i];
+    if (!first)
+        return oit_i_fail(&oit->desc, OIT_WRONG_ORDER, "oit_pick_result", "none is under way");
+    if (first->state != OIT_I_PICK_OUTSIDE && !first->fence)
+        return wait ? oit_i_fail(&oit->desc, OIT_WRONG_ORDER, "oit_pick_result", "no frame that answers has ended")
+                    : OIT_NOT_READY;
+    if (first->fence && !oit_i_fence_passed(oit, first->fence, wait))
+        return OIT_NOT_READY;
+    memset(pick, 0, sizeof *pick);
+    pick->x = first->x;
+    pick->y = first->y;
+    pick->layer = first->layer;
+    pick->frame = first->frame;
+    if (first->fence) {
+        bound = oit_i_borrow_target(oit);
+        result = oit_i_read_pick(oit, (int)(first - oit->picks), pick);
+        oit_i_return_target(oit, bound);
+        oit->gl.gl_DeleteSync(first->fence);
+    }
+    memset(first, 0, sizeof *first);
+    return result;
+}
+
+/* ---- the steps of a frame ---------------------------------------------------------------------------------------- */
 
 static int oit_i_part_end(const oit_context *oit) {
     return oit->part[1] * oit->frame.width + oit->part[0] + (oit->part[3] - 1) * oit->frame.width + oit->part[2];
@@ -3137,17 +4316,12 @@ static oit_result oit_i_next_band(oit_context *oit, int first) {
     return result;
 }
 
-/* What is filled next: the whole slab, or a band of it. */
+/* OIT_FIT_WAIT: what is filled next, the whole slab, or a band of it. */
 static oit_result oit_i_next_part(oit_context *oit, int first) {
     oit_i_block block;
     oit_result result = OIT_OK;
     int32_t bound;
-    oit->part[0] = oit->part[1] = 0;
-    oit->part[2] = oit->frame.width;
-    oit->part[3] = oit->slab_rows;
-    oit->part_start = 0;
-    if (oit->desc.fit == OIT_FIT_ASYNC)
-        return OIT_OK;
+    oit_i_whole_part(oit);
     bound = oit_i_borrow_target(oit);
     if (oit->needed > oit->capacity)
         result = oit_i_next_band(oit, first);
@@ -3185,7 +4359,7 @@ static oit_result oit_i_next_slab(oit_context *oit) {
     oit_result result;
     oit->slab_y += oit->slab_rows;
     oit->slab_rows = oit->frame.height - oit->slab_y < oit->rows ? oit->frame.height - oit->slab_y : oit->rows;
-    oit->part_start = 0;
+    oit_i_start_slab(oit);
     block = oit_i_make_block(oit);
     result = oit_i_upload_block(oit, &block);
     oit_i_return_target(oit, bound);
@@ -3201,6 +4375,12 @@ static int oit_i_is_last_part(const oit_context *oit) {
    is not fall to the next. What is deeper than was known falls to the last, so that a wrong guess costs only time. */
 static int oit_i_is_needed(const oit_context *oit, int draw) {
     int index = draw % (OIT_I_CLASSES + 1), deep = index == OIT_I_CLASSES - 1, wait = oit->desc.fit == OIT_FIT_WAIT;
+    if (oit_i_keeps(&oit->desc) && deep)
+        return (oit_i_u)oit->layers > oit->block.step[1];
+    if (oit_i_keeps(&oit->desc) && index == OIT_I_CLASSES)
+        return 1;
+    if (index == OIT_I_CLASSES && draw >= oit_i_pixel_draws(oit))
+        return 0;
     if (index == OIT_I_CLASSES || deep)
         return !wait || (deep && oit->deepest > oit->block.step[1]);
     return (oit->block.step[2] >> index) & 1u;
@@ -3211,8 +4391,22 @@ static void oit_i_skip_draws(oit_context *oit) {
         ++oit->compose_index;
 }
 
+/* What there is none of: picks in this part, draws, a depth. */
+static void oit_i_skip_steps(oit_context *oit) {
+    if (oit->step == OIT_I_STEP_PICK) {
+        oit->pick = oit_i_next_pick(oit);
+        if (oit->pick < 0)
+            oit->step = OIT_I_STEP_COMPOSE;
+    }
+    if (oit->step == OIT_I_STEP_COMPOSE) {
+        oit_i_skip_draws(oit);
+        if (oit->compose_index == oit_i_compose_draws(oit))
+            oit->step = oit->frame.depth != OIT_DEPTH_NONE ? OIT_I_STEP_DEPTH : OIT_I_STEP_COMPOSED;
+    }
+}
+
 static void oit_i_start_composing(oit_context *oit) {
-    oit->step = OIT_I_STEP_COMPOSE;
+    oit->step = OIT_I_STEP_PICK;
     oit->compose_index = 0;
 }
 
@@ -3223,77 +4417,75 @@ static oit_result oit_i_after_part(oit_context *oit) {
         return OIT_OK;
     }
     if (oit_i_part_end(oit) < oit->frame.width * oit->slab_rows) {
-        oit->step = OIT_I_STEP_FILL;
+        oit->step = oit->list->part_start;
         return oit_i_next_part(oit, oit_i_part_end(oit));
     }
-    oit->step = OIT_I_STEP_CLEAR;
     return oit_i_next_slab(oit);
 }
 
-/* The pass of the present step, and the step after it. Returns 0 where there is no pass. */
-static int oit_i_take_step(oit_context *oit, oit_pass_kind *kind) {
-    static const oit_pass_kind kinds[OIT_I_STEP_FILL] = {OIT_PASS_CLEAR, OIT_PASS_COUNT,  OIT_PASS_SUM,
-                                                         OIT_PASS_TOPS,  OIT_PASS_SPREAD, OIT_PASS_REPORT};
-    int wait = oit->desc.fit == OIT_FIT_WAIT;
-    switch (oit->step) {
-    case OIT_I_STEP_FILLED:
-    case OIT_I_STEP_DONE:
+/* The pass of the present step. Returns 0 where there is none. */
+static int oit_i_kind_of_step(const oit_context *oit, oit_pass_kind *kind) {
+    static const oit_pass_kind kinds[OIT_I_STEP_DONE] = {
+        OIT_PASS_CLEAR,  OIT_PASS_COUNT, OIT_PASS_SUM,    OIT_PASS_TOPS, OIT_PASS_SPREAD,
+        OIT_PASS_REPORT, OIT_PASS_FILL,  OIT_PASS_FILL,   OIT_PASS_PICK, OIT_PASS_COMPOSE,
+        OIT_PASS_DEPTH,  OIT_PASS_DEPTH, OIT_PASS_REPORT, OIT_PASS_KEEP, OIT_PASS_ARRANGE};
+    if (oit->step == OIT_I_STEP_FILLED || oit->step == OIT_I_STEP_DONE)
         return 0;
-    case OIT_I_STEP_COMPOSE:
-        *kind = OIT_PASS_COMPOSE;
-        return 1;
-    case OIT_I_STEP_REPORT:
-        *kind = OIT_PASS_REPORT;
+    *kind = kinds[(int)oit->step];
+    return 1;
+}
+
+/* After the present step's pass. */
+static void oit_i_advance(oit_context *oit) {
+    const unsigned char *at = oit->list->steps;
+    if (oit->step == OIT_I_STEP_PICK) {
+        oit->picks[oit->pick].state = OIT_I_PICK_RUNS;
+        oit->picks[oit->pick].frame = oit->frame_number;
+    } else if (oit->step == OIT_I_STEP_COMPOSE) {
+        ++oit->compose_index;
+    } else if (oit->step == OIT_I_STEP_DEPTH) {
+        oit->step = OIT_I_STEP_COMPOSED;
+    } else if (oit->step == OIT_I_STEP_REPORT) {
         oit->step = OIT_I_STEP_DONE;
-        return 1;
-    case OIT_I_STEP_FILL:
-        *kind = OIT_PASS_FILL;
-        if (oit_i_is_last_part(oit))
-            oit->step = OIT_I_STEP_FILLED;
-        else
+    } else {
+        while (*at != (unsigned char)oit->step)
+            ++at;
+        do
+            oit->step = (oit_i_step) * ++at;
+        while (oit->step == OIT_I_STEP_MEASURE && oit->desc.fit == OIT_FIT_ASYNC);
+        if (oit->step == OIT_I_STEP_FILLED && !oit_i_is_last_part(oit))
             oit_i_start_composing(oit);
-        return 1;
-    default:
-        *kind = kinds[(int)oit->step % (int)OIT_I_STEP_FILL];
-        oit->step = oit->step == OIT_I_STEP_SPREAD && !wait ? OIT_I_STEP_FILL : (oit_i_step)((int)oit->step + 1);
-        return 1;
     }
 }
 
 OIT_I_API int oit_next_pass(oit_context *oit, oit_pass *pass) {
     oit_pass_kind kind;
-    int was_measure, was_spread;
+    int measures;
     if (!oit || !pass || !oit->in_frame)
         return 0;
     while (oit->failure == OIT_OK) {
-        if (oit->step == OIT_I_STEP_COMPOSE) {
-            oit_i_skip_draws(oit);
-            if (oit->compose_index == oit_i_compose_draws(oit)) {
-                oit->failure = oit_i_after_part(oit);
-                continue;
-            }
+        oit_i_skip_steps(oit);
+        if (oit->step == OIT_I_STEP_COMPOSED) {
+            oit->failure = oit_i_after_part(oit);
+            continue;
         }
-        was_measure = oit->step == OIT_I_STEP_MEASURE;
-        was_spread = oit->step == OIT_I_STEP_SPREAD;
-        if (!oit_i_take_step(oit, &kind))
+        if (!oit_i_kind_of_step(oit, &kind))
             return 0;
         if (kind == OIT_PASS_FILL)
             ++oit->bands;
         oit_i_fill_pass(oit, kind, pass);
-        if (kind == OIT_PASS_COMPOSE)
-            ++oit->compose_index;
         if (pass->barriers)
             oit->gl.gl_MemoryBarrier(pass->barriers);
         if (oit->desc.state != OIT_STATE_NONE)
             oit_i_apply(oit, &pass->state);
-        if (was_spread)
-            oit->failure = oit->desc.fit == OIT_FIT_ASYNC ? oit_i_next_part(oit, 0) : OIT_OK;
+        measures = oit->step == OIT_I_STEP_MEASURE;
+        oit_i_advance(oit);
         if (oit->desc.state == OIT_STATE_NONE || oit_i_is_hosts(kind))
             return 1;
         oit_i_execute(oit, &pass->state);
-        if (was_measure)
+        if (measures)
             oit->failure = oit_i_measure(oit);
-        if (was_measure && oit->failure == OIT_OK)
+        if (measures && oit->failure == OIT_OK)
             oit->failure = oit_i_next_part(oit, 0);
     }
     return 0;
@@ -3327,9 +4519,11 @@ OIT_I_API oit_result oit_end(oit_context *oit) {
         pending->frame = oit->frame_number;
         pending->capacity = oit->capacity;
         pending->bands = oit->bands;
+        pending->layers = (uint32_t)oit->layers;
         oit->gl.gl_MemoryBarrier(OIT_I_GL_BUFFER_UPDATE_BARRIER);
         oit->fences[oit->slot] = oit->gl.gl_FenceSync(OIT_I_GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
     }
+    oit_i_end_picks(oit);
     if (oit->saved_state && oit->desc.state == OIT_STATE_LEAVE_DEFAULTS)
         oit_i_save_defaults(&oit->saved);
     if (oit->saved_state && oit->desc.state != OIT_STATE_LEAVE_DIRTY)

@@ -1232,6 +1232,148 @@ static bool make_shells(scene *s) {
     return add(s, "shells/core", finish(&b, s, "shells/core"), turned, BRICK, 1) && ok;
 }
 
+/* ---- sheets: surfaces without an inside ------------------------------------------------------------------- */
+
+static bool add_sheet(builder *b, scene *s, const char *name, const float color[3]) {
+    bool ok = add_built(b, s, name, color, 0.4f);
+    if (ok)
+        s->meshes[s->mesh_count - 1].two_sided = true;
+    return ok;
+}
+
+/* A grid of points as a sheet; i runs fastest. */
+static void weave(builder *b, uint32_t first, size_t columns, size_t rows) {
+    for (size_t j = 0; j + 1 < rows; j++)
+        for (size_t i = 0; i + 1 < columns; i++) {
+            uint32_t p = first + (uint32_t)(j * columns + i), q = p + (uint32_t)columns;
+            quad(b, p, p + 1, q + 1, q);
+        }
+}
+
+/* Figure 3 of Carnecky 2013: one square before another, upright, a quarter of each on top of the other. */
+static bool make_squares(scene *s) {
+    static const double corner[2][3] = {{-40, 10, -10}, {-10, -10, -40}};
+    static const char *const names[2] = {"squares/behind", "squares/before"};
+    bool ok = true;
+    for (size_t i = 0; i < 2; i++) {
+        builder b = {0};
+        uint32_t first = (uint32_t)b.points;
+        for (size_t k = 0; k < 4; k++)
+            point(&b, corner[i][0] + (k % 2 ? 50 : 0), corner[i][1], corner[i][2] + (k / 2 ? 50 : 0));
+        weave(&b, first, 2, 2);
+        ok = add_sheet(&b, s, names[i], i ? TEAL : BRICK) && ok;
+    }
+    return ok;
+}
+
+/* Figure 2 of Carnecky 2013: their silhouettes are lines along the walls and the rims at both ends. */
+static bool make_cylinders(scene *s) {
+    static const double radius[2] = {40, 22}, height[2] = {36, 50};
+    static const char *const names[2] = {"cylinders/outer", "cylinders/inner"};
+    bool ok = true;
+    for (size_t i = 0; i < 2; i++) {
+        builder b = {0};
+        loop lower, upper;
+        profile_ring(&b, &lower, radius[i], -height[i], 128);
+        profile_ring(&b, &upper, radius[i], height[i], 128);
+        ring_wall(&b, &lower, &upper);
+        ok = add_sheet(&b, s, names[i], i ? BRICK : GLASS_BLUE) && ok;
+    }
+    return ok;
+}
+
+/* Figure 11 of Carnecky 2013: flat and curved, one in the other. */
+static bool make_cube_and_sphere(scene *s) {
+    builder b = {0};
+    box(&b, (double[3]){-40, -40, -40}, (double[3]){40, 40, 40});
+    bool ok = add_built(&b, s, "cube_and_sphere/cube", GLASS_BLUE, 0.4f);
+    sphere(&b, 0, 0, 0, 30, 96, 64);
+    return add_built(&b, s, "cube_and_sphere/sphere", BRICK, 0.4f) && ok;
+}
+
+/* The bottle whose neck goes through its own side (the usual immersion; its tube has radius 4 (1 - cos(u) / 2)). */
+static void bottle_point(builder *b, double u, double v) {
+    double r = 4 * (1 - cos(u) / 2), x = 6 * cos(u) * (1 + sin(u)), z = 16 * sin(u);
+    if (u < PI) {
+        x += r * cos(u) * cos(v);
+        z += r * sin(u) * cos(v);
+    } else {
+        x -= r * cos(v);
+    }
+    point(b, 2.4 * x, 2.4 * r * sin(v), 2.4 * z);
+}
+
+static bool make_klein_bottle(scene *s) {
+    enum { STEPS = 240, AROUND = 96 };
+    builder b = {0};
+    for (size_t j = 0; j < STEPS; j++)
+        for (size_t i = 0; i < AROUND; i++)
+            bottle_point(&b, 2 * PI * (double)j / STEPS, 2 * PI * (double)i / AROUND);
+    for (size_t j = 0; j < STEPS; j++)
+        for (size_t i = 0; i < AROUND; i++) {
+            size_t across = (i + 1) % AROUND, next = j + 1, to = i, to_across = across;
+            if (next == STEPS) { /* the end meets the start turned over */
+                next = 0;
+                to = (AROUND + AROUND / 2 - i) % AROUND;
+                to_across = (AROUND + AROUND / 2 - across) % AROUND;
+            }
+            quad(&b, (uint32_t)(j * AROUND + i), (uint32_t)(j * AROUND + across), (uint32_t)(next * AROUND + to_across),
+                 (uint32_t)(next * AROUND + to));
+        }
+    return add_sheet(&b, s, "klein_bottle", TEAL);
+}
+
+/* Three eddies side by side, one above the other in phase, and a stream that carries everything along x: what is let go
+ * along an upright line is rolled up into scrolls that grow downstream. */
+static void flow(const double p[3], double v[3]) {
+    static const double eddy[3][4] = {{12, 15, 9, 1}, {-14, -11, 11, -1}, {6, -34, 8, 0.7}}; /* y, z, size, turn */
+    v[0] = 12;
+    v[1] = 1.5 * sin(0.05 * p[0]);
+    v[2] = 1.5 * cos(0.04 * p[0] + 0.03 * p[1]);
+    for (size_t i = 0; i < 3; i++) {
+        double y = p[1] - eddy[i][0] - 4 * sin(0.03 * p[0] + (double)i), z = p[2] - eddy[i][1];
+        double size = eddy[i][2] * (1 + 0.004 * p[0]), square = (y * y + z * z) / (size * size);
+        double spin = 0.75 * eddy[i][3] * exp(-square / 2);
+        v[1] += -spin * z;
+        v[2] += spin * y;
+    }
+}
+
+static void follow(double p[3], double time) {
+    double k[4][3], at[3];
+    static const double ahead[4] = {0, 0.5, 0.5, 1};
+    for (size_t n = 0; n < 4; n++) { /* Runge and Kutta's fourth order */
+        for (size_t i = 0; i < 3; i++)
+            at[i] = p[i] + (n ? ahead[n] * time * k[n - 1][i] : 0);
+        flow(at, k[n]);
+    }
+    for (size_t i = 0; i < 3; i++)
+        p[i] += time / 6 * (k[0][i] + 2 * k[1][i] + 2 * k[2][i] + k[3][i]);
+}
+
+/* Figure 12 of Carnecky 2013: the surface that all particles sweep that pass one line. */
+static bool make_stream_surface(scene *s) {
+    enum { SEEDS = 480, STEPS = 160 };
+    builder b = {0};
+    double(*p)[3] = malloc(SEEDS * sizeof *p);
+    if (!p)
+        return false;
+    for (size_t i = 0; i < SEEDS; i++) {
+        double along = (double)i / (SEEDS - 1) - 0.5;
+        p[i][0] = -75;
+        p[i][1] = 6 * sin(5 * along);
+        p[i][2] = 84 * along;
+    }
+    for (size_t j = 0; j < STEPS; j++)
+        for (size_t i = 0; i < SEEDS; i++) {
+            point(&b, p[i][0], p[i][1], p[i][2]);
+            follow(p[i], 12.5 / (STEPS - 1));
+        }
+    free(p);
+    weave(&b, 0, SEEDS, STEPS);
+    return add_sheet(&b, s, "stream_surface", OCHRE);
+}
+
 /* ---- dirty ones ------------------------------------------------------------------------------------------ */
 
 /* The half of a sphere above its middle, with nothing to close it. */
@@ -1385,6 +1527,11 @@ const char *const models_names[] = {"mug",
                                     "gearbox",
                                     "torus_knot",
                                     "shells",
+                                    "squares",
+                                    "cylinders",
+                                    "cube_and_sphere",
+                                    "klein_bottle",
+                                    "stream_surface",
                                     "dirty_open",
                                     "dirty_doubled",
                                     "dirty_degenerate",
@@ -1398,6 +1545,7 @@ const char *const models_names[] = {"mug",
 scene *models_make(const char *name) {
     static bool (*const makers[])(scene *) = {
         make_mug,         make_crank,         make_gearbox,          make_torus_knot,        make_shells,
+        make_squares,     make_cylinders,     make_cube_and_sphere,  make_klein_bottle,      make_stream_surface,
         make_dirty_open,  make_dirty_doubled, make_dirty_degenerate, make_dirty_nonmanifold, make_dirty_flipped,
         make_battlefield, make_abstract,      make_walkthrough};
     for (size_t i = 0; models_names[i]; i++) {

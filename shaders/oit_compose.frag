@@ -8,21 +8,16 @@ layout(location = 0, index = 1) out highp vec4 oit_keep;
 layout(location = 0) out highp vec4 oit_out;
 #endif
 
-// Lays the first m of oit_order, which holds `known`. With ties, all records of that depth, be they in this block or not,
-// are laid when the first of them is met.
-void oit_lay_sorted(uint base, uint n, uint m, uint known, bool tie, inout uint grouped)
+#if OIT_DEEP
+// Lays the first m of oit_order, which holds `known`. Of ties all records of that depth, be they in this block or not, are
+// laid when the first of them is met.
+void oit_lay_sorted(uint base, uint n, uint m, uint known, inout uint grouped)
 {
     for (uint i = 0u; i < m && oit_visible(); ++i) {
-        uint at = oit_order[i];
-        bool alone = true;
-        uint depth = 0u;
-        if (tie) {
-            depth = oit_record_depth(at);
-            if (depth == grouped)
-                continue;
-            alone = i + 1u >= known || oit_record_depth(oit_order[i + 1u]) != depth;
-        }
-        if (alone) {
+        uint at = oit_order[i], depth = oit_record_depth(at);
+        if (depth == grouped)
+            continue;
+        if (i + 1u >= known || oit_record_depth(oit_order[i + 1u]) != depth) {
             oit_lay(at);
         } else {
             oit_lay_group(base, n, depth);
@@ -33,24 +28,35 @@ void oit_lay_sorted(uint base, uint n, uint m, uint known, bool tie, inout uint 
 
 void oit_lay_run(uint base, uint n)
 {
-    uint grouped = OIT_NONE;
-#if OIT_DEEP
-    uint depth = 0u, at = 0u;
+    uint depth = 0u, at = 0u, grouped = OIT_NONE;
     for (uint done = 0u; done < n && oit_visible(); done += uint(OIT_CLASS)) {
         // One more than are laid, to see whether it ties with the last of them.
         oit_select(base, n, done > 0u, depth, at);
-        oit_lay_sorted(base, n, min(uint(OIT_CLASS), n - done), min(uint(OIT_CLASS + 1), n - done), true, grouped);
+        oit_lay_sorted(base, n, min(uint(OIT_CLASS), n - done), min(uint(OIT_CLASS + 1), n - done), grouped);
     }
-#else
-    bool tie = oit_sort(base, n);
-    oit_lay_sorted(base, n, n, n, tie, grouped);
-#endif
 }
+#endif
+
+#if OIT_KEEPS
+// Behind what is kept, all that is not.
+void oit_lay_tail(uint p)
+{
+    if (oit_pixel[OIT_LIMIT(p)] == OIT_NONE)
+        return;
+    vec4 tail = oit_tail_light(oit_tail_sums(p));
+    oit_sum += oit_through * tail.rgb;
+    oit_through *= tail.a;
+}
+#endif
 
 void main()
 {
     ivec2 where = ivec2(gl_FragCoord.xy) - oit_area.xy;
     uint p = uint(where.y) * uint(oit_area.z) + uint(where.x);
+#if OIT_HAS_COVERAGE // each sample by itself where they differ, the whole pixel where not
+    if (OIT_OUTSIDE || (oit_pixel[OIT_EDGE(p)] != 0u) != (OIT_COVERED == OIT_BY_SAMPLE))
+        discard;
+#endif
     uint start = oit_pixel[OIT_START(p)], end = oit_pixel[OIT_START(p + 1u)];
 #if OIT_ASYNC
     if (end > oit_pool.z)
@@ -67,6 +73,9 @@ void main()
         discard;
 #endif
     oit_lay_run((start - oit_pool.y) * uint(OIT_VECTORS), n);
+#if OIT_KEEPS
+    oit_lay_tail(p);
+#endif
 #if OIT_MODE == OIT_MODE_DUAL
     oit_out = vec4(oit_sum, 0.0);
     oit_keep = vec4(oit_light.w * oit_through, 0.0);

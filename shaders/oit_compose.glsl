@@ -9,20 +9,18 @@
 vec3 oit_sum = vec3(0.0);
 OIT_THROUGH oit_through = OIT_THROUGH(1.0);
 
-// Below 2^-24 of it nothing behind can change a float that is brighter than that.
-bool oit_visible()
+void oit_lay(uvec4 r, uvec4 q)
 {
-#if OIT_HAS_BLEND
-    return max(oit_through.r, max(oit_through.g, oit_through.b)) > 5.9604645e-8;
-#else
-    return oit_through > 5.9604645e-8;
+#if OIT_COVERED == OIT_BY_SAMPLE
+    if ((OIT_COVERAGE_OF(OIT_SORTED_WORD(OIT_AT_COVERAGE)) >> uint(gl_SampleID) & 1u) == 0u)
+        return;
 #endif
-}
-
-void oit_lay(uint at)
-{
-    uvec4 words = oit_record_words(at);
+    uvec4 words = oit_color_words(r, q);
     vec4 color = oit_unpack_color(words);
+#if OIT_COVERED == OIT_BY_SHARE
+    color *= vec4(vec3(OIT_PREMULTIPLIED == 1 ? OIT_SHARE(OIT_COVERAGE_OF(OIT_SORTED_WORD(OIT_AT_COVERAGE))) : 1.0),
+                  OIT_SHARE(OIT_COVERAGE_OF(OIT_SORTED_WORD(OIT_AT_COVERAGE))));
+#endif
 #if OIT_PREMULTIPLIED
     vec3 light = color.rgb;
 #else
@@ -32,7 +30,7 @@ void oit_lay(uint at)
 #if OIT_COLOR == OIT_COLOR_8
     uint blend = words.x >> 30u;
 #else
-    uint blend = OIT_WORD(at, OIT_AT_BLEND);
+    uint blend = OIT_SORTED_WORD(OIT_AT_BLEND) & 255u;
 #endif
     if (blend == 2u) { // multiply: seen through a filter of that colour
         oit_through *= 1.0 - color.a + light;
@@ -45,6 +43,24 @@ void oit_lay(uint at)
     oit_sum += oit_through * light;
 #endif
     oit_through *= 1.0 - color.a;
+}
+
+void oit_lay(uint at)
+{
+    uvec4 r, q;
+    oit_load(at, r, q);
+    oit_lay(r, q);
+}
+
+#if OIT_DEEP
+// Behind what is opaque all weights are zero, so that to stop there changes no bit.
+bool oit_visible()
+{
+#if OIT_HAS_BLEND
+    return max(oit_through.r, max(oit_through.g, oit_through.b)) > 0.0;
+#else
+    return oit_through > 0.0;
+#endif
 }
 
 // All records of one depth, in their order, each found anew: ties are rare.
@@ -67,10 +83,24 @@ void oit_lay_group(uint base, uint count, uint depth)
     }
 }
 
-// What oit_i_add_network writes is made of these: registers d (depth) and o (where the record lies).
-#define L(d, o, i) uint d = OIT_NONE, o = base; if (i < n) { o = base + i * uint(OIT_VECTORS); d = oit_record_depth(o); }
-#define S(d, o, e, p) { bool g = e < d; uint t = g ? p : o; p = g ? o : p; o = t; t = min(d, e); e = max(d, e); d = t; }
-#define T(d, e, i) tie = tie || (d == e && i < n);
+// What oit_i_put_selection writes is made of these: registers d (depth) and o (where the record lies).
 #define D(d, o) uint d = OIT_NONE, o = base;
 #define I(d, o) { s = s || x < d; uint t = d; d = s ? x : d; x = s ? t : x; t = o; o = s ? y : o; y = s ? t : y; }
-uint oit_order[OIT_CLASS + OIT_DEEP];
+uint oit_order[OIT_CLASS + 1];
+#else
+// By all their words, so that two of which neither comes after the other are alike: ties need no further care.
+bool oit_words_after(uvec4 a, uvec4 b, bool more)
+{
+    return a.x > b.x || (a.x == b.x && (a.y > b.y || (a.y == b.y && (a.z > b.z || (a.z == b.z && (a.w > b.w || (a.w == b.w && more)))))));
+}
+
+// What oit_i_put_network writes is made of these: registers r and q (oit_load), swapped where they are in the wrong order,
+// then laid. Each record is read once; what is not there comes after all that is, and has no colour and no alpha.
+#define L(r, q, i) uvec4 r = uvec4(OIT_NONE, 0u, 0u, 0u), q = uvec4(0u); if (i < n) oit_load(base + i * uint(OIT_VECTORS), r, q);
+#if OIT_SORTED > 4
+#define S(r, q, u, v) { bool g = oit_words_after(r, u, oit_words_after(q, v, false)); uvec4 t = g ? u : r; u = g ? r : u; r = t; t = g ? v : q; v = g ? q : v; q = t; }
+#else
+#define S(r, q, u, v) { bool g = oit_words_after(r, u, false); uvec4 t = g ? u : r; u = g ? r : u; r = t; }
+#endif
+#define Y(r, q, i) oit_lay(r, q);
+#endif

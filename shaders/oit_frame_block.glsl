@@ -4,9 +4,14 @@ layout(std140, binding = OIT_UNIFORM_BINDING) uniform oit_frame
 {
     highp ivec4 oit_area;  // x, y of the slab's corner in the target, its width and height
     highp uvec4 oit_pool;  // x: pixels of the slab, y: first fragment of the band, z: capacity, w: blocks of the scan
-    highp uvec4 oit_step;  // x: 1 with the first slab of a frame, y: what is deeper is left to the program for all depths
+    highp uvec4 oit_step;  // x: 1 with the first slab of a frame, y: what is deeper is left to the program for all depths,
+                           // w: k of the stores that keep the k nearest
     highp uvec4 oit_above; // what is not deeper than this is left to the program before: of up to 8, 16, 32, 64
     highp vec4 oit_light;  // xyz: toward the light, unit length; zero: no shading. w: weight of the background
+    highp vec4 oit_output; // x: transmittance below which the depth of the composite is taken
+    highp ivec4 oit_part;          // x, y of the corner in the target, width and height of what is filled and composed now
+    highp uvec4 oit_samples;       // x: a bit for each sample of the target
+    highp vec4 oit_positions[4];   // of two samples each, from the middle of the pixel
 };
 
 // The pixel buffer: 16 words of totals, then two words a pixel (where its run starts; how many fragments are still to
@@ -22,10 +27,32 @@ layout(std140, binding = OIT_UNIFORM_BINDING) uniform oit_frame
 #define OIT_START(p) (OIT_HEADER + 2u * (p))
 #define OIT_LEFT(p) (OIT_HEADER + 1u + 2u * (p))
 #define OIT_SUM(b) (OIT_HEADER + 2u + 2u * oit_pool.x + (b))
-#define OIT_TAIL(p) (OIT_HEADER + 2u + 2u * oit_pool.x + oit_pool.w + 4u * (p))
+#define OIT_MORE (OIT_HEADER + 2u + 2u * oit_pool.x + oit_pool.w)
+#if OIT_KEEPS
+// With the stores that keep the k nearest: six words a pixel for the tail, the limit (keys from there on are not kept),
+// k + 1 keys; and k buckets of two words: a part, and which records it has.
+#define OIT_LAYERS oit_step.w
+#define OIT_TAIL(p) (OIT_MORE + 6u * (p))
+#define OIT_LIMIT(p) (OIT_MORE + 6u * oit_pool.x + (p))
+#define OIT_KEY(p, i) (OIT_MORE + 7u * oit_pool.x + (p) * (OIT_LAYERS + 1u) + (i))
+#define OIT_BUCKET(p, i) (OIT_MORE + (8u + OIT_LAYERS) * oit_pool.x + 2u * ((p) * OIT_LAYERS + (i)))
+#else
+#define OIT_TAIL(p) (OIT_MORE + 4u * (p))
+#endif
+#define OIT_NONE 0xffffffffu
+
+// With OIT_HAS_COVERAGE one word a pixel follows: 1 where a fragment covers not all of its samples.
+#define OIT_EDGE(p) (OIT_TAIL(oit_pool.x * uint(OIT_ASYNC)) + (p))
 
 // With what is to come of a pixel whose run does not fit. A pixel has less than 2^30 fragments.
 #define OIT_UNFIT 0x40000000u
+
+// Mesa 22's software driver lets multisampled fragments pass beyond the scissor box, by one pixel to the left and below.
+#define OIT_OUTSIDE (any(lessThan(ivec2(gl_FragCoord.xy), oit_part.xy)) || \
+                     any(greaterThanEqual(ivec2(gl_FragCoord.xy), oit_part.xy + oit_part.zw)))
+
+// The part of a pixel that some of its samples are.
+#define OIT_SHARE(covered) (float(bitCount(covered)) / float(max(bitCount(oit_samples.x), 1)))
 
 // A block of the scan: 128 invocations of 8 pixels each.
 #define OIT_BLOCK 1024u

@@ -1,9 +1,11 @@
 // For: oit_buffers.h
 // Records read back: the order of two, colour, how it is laid over what is behind.
+#ifdef OIT_ARRANGES
+layout(std430, binding = OIT_BINDING_PIXELS) buffer oit_pixels { uint oit_pixel[]; };
+#else
 layout(std430, binding = OIT_BINDING_PIXELS) readonly buffer oit_pixels { uint oit_pixel[]; };
+#endif
 layout(std430, binding = OIT_BINDING_FRAGMENTS) readonly buffer oit_fragments { OIT_VECTOR oit_data[]; };
-
-#define OIT_NONE 0xffffffffu
 
 // Whether the record at a comes after that at b; by their words, then by where they lie, which only tells apart records
 // that are alike in every word.
@@ -37,16 +39,47 @@ vec4 oit_unpack_color(uvec4 w)
 #endif
 }
 
-// The words of the colour; of one vector where they lie in one, which some drivers load much faster.
-uvec4 oit_record_words(uint at)
+// The words by which records are sorted and composed: the first OIT_SORTED of them, depth to colour and blend, in two
+// vectors; zeros after them. What a record carries beyond cannot be seen in the picture.
+#define OIT_COVERAGE_OF(word) ((word) >> uint(OIT_COVERAGE_SHIFT))
+#define OIT_SORTED_WORD(i) ((i) < 4 ? r[(i) & 3] : q[(i) & 3])
+void oit_load(uint at, out uvec4 r, out uvec4 q)
 {
-#if OIT_COLOR != OIT_COLOR_FLOAT && OIT_LANES == 4 && OIT_AT_COLOR < 3
-    uvec4 w = oit_data[at];
-    return uvec4(w[OIT_AT_COLOR], w[OIT_AT_COLOR + 1], 0u, 0u);
-#elif OIT_COLOR != OIT_COLOR_FLOAT
-    return uvec4(OIT_WORD(at, OIT_AT_COLOR), OIT_WORD(at, OIT_AT_COLOR + 1), 0u, 0u);
-#else
-    return uvec4(OIT_WORD(at, OIT_AT_COLOR), OIT_WORD(at, OIT_AT_COLOR + 1), OIT_WORD(at, OIT_AT_COLOR + 2),
-                 OIT_WORD(at, OIT_AT_COLOR + 3));
+    q = uvec4(0u);
+#if OIT_LANES == 4
+    r = oit_data[at];
+#if OIT_SORTED > 4
+    q = oit_data[at + 1u];
 #endif
+#else
+    r = uvec4(oit_data[at], oit_data[at + 1u]);
+#if OIT_SORTED > 4
+    q.xy = oit_data[at + 2u];
+#endif
+#if OIT_SORTED > 6
+    q.zw = oit_data[at + 3u];
+#endif
+#endif
+#if OIT_SORTED < 4
+    r.w = 0u;
+#endif
+#if OIT_SORTED < 6
+    q.y = 0u;
+#endif
+#if OIT_SORTED < 7
+    q.z = 0u;
+#endif
+#if OIT_SORTED < 8
+    q.w = 0u;
+#endif
+}
+
+uvec4 oit_color_words(uvec4 r, uvec4 q)
+{
+    uvec4 w = uvec4(OIT_SORTED_WORD(OIT_AT_COLOR), OIT_SORTED_WORD(OIT_AT_COLOR + 1), 0u, 0u);
+#if OIT_COLOR == OIT_COLOR_FLOAT
+    w.z = OIT_SORTED_WORD(OIT_AT_COLOR + 2);
+    w.w = OIT_SORTED_WORD(OIT_AT_COLOR + 3);
+#endif
+    return w;
 }

@@ -3,7 +3,14 @@
 // one record of OIT_VECTORS vectors into the pixel's run. Records are written so that their words, compared one after the
 // other, give the order in which they are composed: depth, part, key, and all else for fragments that tie.
 layout(early_fragment_tests) in;
+#if OIT_HAS_COVERAGE && OIT_POST_DEPTH
+layout(post_depth_coverage) in;
+#endif
+#if OIT_KEEPS && OIT_PASS == OIT_COUNT
+layout(std430, binding = OIT_BINDING_PIXELS) coherent buffer oit_pixels { uint oit_pixel[]; };
+#else
 layout(std430, binding = OIT_BINDING_PIXELS) buffer oit_pixels { uint oit_pixel[]; };
+#endif
 #if OIT_PASS == OIT_FILL
 layout(std430, binding = OIT_BINDING_FRAGMENTS) writeonly buffer oit_fragments { OIT_VECTOR oit_data[]; };
 #endif
@@ -47,10 +54,52 @@ vec4 oit_finite(vec4 color)
     return vec4(c, clamp(oit_finite(color.a), 0.0, 1.0));
 }
 
+#if OIT_HAS_COVERAGE
+// The samples that the fragment covers and that lie before the host's opaque things. Where the driver knows coverage only
+// from before the depth test, and where the host wants it, each sample is a fragment of its own.
+uint oit_coverage()
+{
+#if OIT_POST_DEPTH
+    return uint(gl_SampleMaskIn[0]);
+#else
+    return 1u << uint(gl_SampleID);
+#endif
+}
+
+#if OIT_POST_DEPTH
+// The middle of the pixel may lie beyond the edge of the triangle, where the planes of a body's front and back have crossed
+// already: the depth is that at the middle of the samples that are covered. Derivatives are taken where control flow is
+// uniform, before whatever the host's main does; ES has no such place.
+#if OIT_ES
+#define OIT_SLOPE vec2(dFdx(gl_FragCoord.z), dFdy(gl_FragCoord.z))
+#else
+vec2 oit_slope = vec2(dFdx(gl_FragCoord.z), dFdy(gl_FragCoord.z));
+#define OIT_SLOPE oit_slope
+#endif
+
+float oit_depth()
+{
+    vec2 slope = OIT_SLOPE, sum = vec2(0.0);
+    uint covered = oit_coverage();
+    if (covered == oit_samples.x)
+        return gl_FragCoord.z;
+    for (uint i = 0u; i < 8u; ++i) {
+        vec4 two = oit_positions[i >> 1u];
+        sum += (covered >> i & 1u) != 0u ? ((i & 1u) != 0u ? two.zw : two.xy) : vec2(0.0);
+    }
+    return clamp(gl_FragCoord.z + dot(slope, sum / float(max(bitCount(covered), 1))), 0.0, 1.0);
+}
+#else
+#define oit_depth() gl_FragCoord.z
+#endif
+#else
+#define oit_depth() gl_FragCoord.z
+#endif
+
 // Ascends from the eye on, in either convention. A depth of -0.0 is 0.0.
 uint oit_depth_bits()
 {
-    uint bits = floatBitsToUint(gl_FragCoord.z);
+    uint bits = floatBitsToUint(oit_depth());
     bits = bits > 0x7fffffffu ? 0u : bits;
 #if OIT_REVERSED_Z
     bits = 0x7fffffffu - bits;
@@ -63,6 +112,52 @@ uint oit_pixel_index()
     ivec2 at = ivec2(gl_FragCoord.xy) - oit_area.xy;
     return uint(at.y) * uint(oit_area.z) + uint(at.x);
 }
+
+#if OIT_KEEPS
+// By what the k nearest are chosen, the same in both geometry passes: all bits of the depth, or (Murray 2016, section 4.2)
+// 16 of it and then 16 of the part. Never OIT_NONE.
+uint oit_key(oit_fragment f)
+{
+#if OIT_KEY_BITS == 16
+    uint depth = uint(clamp(gl_FragCoord.z, 0.0, 1.0) * 65534.0);
+#if OIT_REVERSED_Z
+    depth = 65534u - depth;
+#endif
+    return depth << 16u | (f.part & 0xffffu);
+#else
+    return oit_depth_bits();
+#endif
+}
+#endif
+
+#if OIT_KEEPS && OIT_PASS == OIT_COUNT
+// Leaves the k + 1 smallest keys of the pixel in its k + 1 words, in no order. A word only ever gets smaller, and by a
+// swap that fails where another fragment was there before. So when the swap succeeds, all that was read of the other words
+// is still an upper bound of them: the key that goes is the greatest of the k + 2, whatever else is under way, and a key
+// that is not less than all words read is not less than all words are. The smallest k + 1 stay, in any order of arrival.
+// No word ever exceeds the limit once it is set, which spares most fragments the search.
+void oit_select(uint p, uint key)
+{
+    uint place = atomicAdd(oit_pixel[OIT_LEFT(p)], 1u);
+    if (place <= OIT_LAYERS && atomicCompSwap(oit_pixel[OIT_KEY(p, place)], OIT_NONE, key) == OIT_NONE)
+        return;
+    while (key < oit_pixel[OIT_LIMIT(p)]) {
+        uint most = 0u, second = 0u, at = 0u;
+        for (uint i = 0u; i <= OIT_LAYERS; ++i) {
+            uint other = oit_pixel[OIT_KEY(p, i)];
+            second = max(second, min(other, most));
+            at = other >= most ? i : at;
+            most = max(most, other);
+        }
+        if (key >= most)
+            return;
+        if (atomicCompSwap(oit_pixel[OIT_KEY(p, at)], most, key) == most) {
+            atomicMin(oit_pixel[OIT_LIMIT(p)], max(second, key));
+            return;
+        }
+    }
+}
+#endif
 
 #if OIT_PASS == OIT_FILL
 #if OIT_HAS_NORMAL
@@ -106,7 +201,7 @@ void oit_write(uint at, oit_fragment f)
         w[OIT_AT_COLOR + i] = floatBitsToUint(color[i]);
 #endif
 #if OIT_HAS_BLEND && OIT_COLOR != OIT_COLOR_8
-    w[OIT_AT_BLEND] = f.blend;
+    w[OIT_AT_BLEND] = f.blend & 255u;
 #endif
 #if OIT_HAS_NORMAL
     w[OIT_AT_NORMAL] = oit_pack_normal(f.normal);
@@ -114,6 +209,9 @@ void oit_write(uint at, oit_fragment f)
 #if OIT_HAS_UV
     w[OIT_AT_UV] = floatBitsToUint(f.uv.x);
     w[OIT_AT_UV + 1] = floatBitsToUint(f.uv.y);
+#endif
+#if OIT_HAS_COVERAGE
+    w[OIT_AT_COVERAGE] |= oit_coverage() << uint(OIT_COVERAGE_SHIFT);
 #endif
 #if OIT_HOST_WORDS > 0
     for (int i = 0; i < OIT_HOST_WORDS; ++i)
@@ -127,14 +225,16 @@ void oit_write(uint at, oit_fragment f)
 #endif
 }
 
-#if OIT_ASYNC
+#if OIT_ASYNC || OIT_KEEPS
 // The tail: sums that do not depend on the order, in integers so that rounding does not either. The layers of a pixel are
-// taken as mixed evenly: optical depths add, colours are weighted by them. Bits are shared out by the count of the
-// pixel, so that no sum overflows: colours up to 4 and optical depths up to 11 make less than 64 a fragment.
-void oit_to_tail(uint p, uint count, oit_fragment f)
+// taken as mixed evenly: optical depths add, colours are weighted by them. Colours up to 4 and optical depths up to 11 make
+// less than 64 a fragment.
+vec4 oit_tail_parts(oit_fragment f)
 {
     vec4 color = oit_finite(f.color);
-    float scale = exp2(float(26 - findMSB(count) - 1));
+#if OIT_HAS_COVERAGE // the tail knows no samples: a fragment is as much thinner as it covers less of the pixel
+    color *= vec4(vec3(OIT_PREMULTIPLIED == 1 ? OIT_SHARE(oit_coverage()) : 1.0), OIT_SHARE(oit_coverage()));
+#endif
     float thickness = min(-log(1.0 - min(color.a, 0.999999)), 11.0);
     vec3 c = clamp(color.rgb, 0.0, 4.0);
 #if OIT_PREMULTIPLIED
@@ -153,7 +253,27 @@ void oit_to_tail(uint p, uint count, oit_fragment f)
         weight = 0.0;
     }
 #endif
-    uvec4 parts = uvec4(vec4(c * weight, thickness) * scale + 0.5);
+    return vec4(c * weight, thickness);
+}
+
+#if OIT_KEEPS
+// In units of 2^-26, with 16 more bits by carries: how many there are follows from the sum alone. A fragment makes less
+// than one, so that 65,535 fragments do not overflow.
+void oit_to_tail(uint p, oit_fragment f)
+{
+    uvec4 parts = uvec4(oit_tail_parts(f) * 67108864.0 + 0.5);
+    for (uint c = 0u; c < 4u; ++c) {
+        uint before = atomicAdd(oit_pixel[OIT_TAIL(p) + c], parts[c]);
+        if (before > 0xffffffffu - parts[c])
+            atomicAdd(oit_pixel[OIT_TAIL(p) + 4u + (c >> 1u)], 1u << (16u * (c & 1u)));
+    }
+}
+#else
+// Bits are shared out by the count of the pixel, so that no sum overflows.
+void oit_to_tail(uint p, uint count, oit_fragment f)
+{
+    float scale = exp2(float(26 - findMSB(count) - 1));
+    uvec4 parts = uvec4(oit_tail_parts(f) * scale + 0.5);
     atomicAdd(oit_pixel[OIT_TAIL(p)], parts.r);
     atomicAdd(oit_pixel[OIT_TAIL(p) + 1u], parts.g);
     atomicAdd(oit_pixel[OIT_TAIL(p) + 2u], parts.b);
@@ -161,13 +281,28 @@ void oit_to_tail(uint p, uint count, oit_fragment f)
 }
 #endif
 #endif
+#endif
 
 void oit_store(oit_fragment f)
 {
     uint p = oit_pixel_index();
-#if OIT_PASS == OIT_COUNT
+#if OIT_HAS_COVERAGE
+    if (OIT_OUTSIDE)
+        return;
+    if (oit_coverage() != oit_samples.x)
+        oit_pixel[OIT_EDGE(p)] = 1u;
+#endif
+#if OIT_KEEPS && OIT_PASS == OIT_COUNT
+    oit_select(p, oit_key(f));
+#elif OIT_PASS == OIT_COUNT
     atomicAdd(oit_pixel[OIT_LEFT(p)], 1u);
 #else
+#if OIT_KEEPS
+    if (oit_key(f) >= oit_pixel[OIT_LIMIT(p)]) {
+        oit_to_tail(p, f);
+        return;
+    }
+#endif
     uint left = atomicAdd(oit_pixel[OIT_LEFT(p)], 0xffffffffu);
 #if OIT_ASYNC
     if (left >> 30u == 1u) { // OIT_UNFIT, and not what wraps below 0

@@ -7,13 +7,17 @@ uniform vec4 oit_object_color;
 #if OIT_WANTS_NORMAL
 in vec3 oit_v_normal;
 #endif
-#if OIT_PASS == OIT_FILL && (OIT_HAS_PART || OIT_HAS_KEY || OIT_HAS_BLEND)
+#if (OIT_PASS == OIT_FILL && (OIT_HAS_PART || OIT_HAS_KEY || OIT_HAS_BLEND)) || OIT_KEY_BITS == 16
 uniform uvec4 oit_object; // part, key, blend
 #endif
 
 void main()
 {
-#if OIT_PASS == OIT_COUNT
+#if OIT_PASS == OIT_COUNT && OIT_KEY_BITS == 16
+    oit_fragment f;
+    f.part = oit_object.x;
+    oit_store(f);
+#elif OIT_PASS == OIT_COUNT
     oit_store(vec4(0.0));
 #else
     vec4 color = oit_object_color;

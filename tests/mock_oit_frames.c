@@ -34,7 +34,8 @@ typedef struct fake_program {
 } fake_program;
 
 static struct {
-    const char *version;
+    const char *version, *extension;
+    int32_t samples; /* of every framebuffer */
     int live[KINDS];
     long creations, refuse_creation; /* the n-th creation fails; 0: none */
     int64_t memory;                  /* that BufferData has; 0: any */
@@ -83,11 +84,29 @@ static uint32_t create(int kind) {
     return ++driver.next_name;
 }
 
+static const char *line_start(const char *source, const char *at) {
+    while (at > source && at[-1] != '\n')
+        --at;
+    return at;
+}
+
+/* Whether a declaration is left out because what "#ifdef" in the line before it asks for is not defined. */
+static bool is_left_out(const char *source, const char *at) {
+    char name[64], definition[80];
+    const char *line = line_start(source, at);
+    if (line == source || sscanf(line_start(source, line - 1), "#ifdef %63s", name) != 1)
+        return false;
+    snprintf(definition, sizeof definition, "#define %s", name);
+    return !strstr(source, definition);
+}
+
 /* How a program uses the storage buffer of that binding: by the qualifiers of its declaration. */
 static int uses_of(const char *source, const char *binding) {
     char pattern[64];
     snprintf(pattern, sizeof pattern, "binding = %s)", binding);
     const char *at = strstr(source, pattern);
+    while (at && is_left_out(source, at))
+        at = strstr(at + 1, pattern);
     if (!at)
         return 0;
     at += strlen(pattern);
@@ -188,6 +207,7 @@ FAKE(void, GetProgramiv, (U a, U b, I *c), (void)a; (void)b; *c = driver.refuse_
 FAKE(void, GetShaderInfoLog, (U a, I b, I *c, char *d), (void)a; (void)c; snprintf(d, (size_t)b, "compile trouble");)
 FAKE(void, GetShaderiv, (U a, U b, I *c), (void)a; (void)b; *c = driver.refuse_compile != 1;)
 FAKE(I, GetUniformLocation, (U a, const char *b), (void)a; (void)b; return 1;)
+FAKE(void, GetMultisamplefv, (U a, U b, float *c), assert_int_equal(a, 0x8E50); c[0] = 0.25f * (float)b; c[1] = 0.5f;)
 FAKE(B, IsEnabled, (U a), (void)a; return 0;)
 FAKE(B, IsEnabledi, (U a, U b), (void)a; (void)b; return 0;)
 FAKE(B, IsProgram, (U a), return a != 0;)
@@ -281,6 +301,10 @@ static void write_results(fake_buffer *buffer) {
         memcpy(buffer->data, driver.totals, 64);
         return;
     }
+    if (buffer->size == 128) { /* a pick: layers, found; nothing else is looked at */
+        ((uint32_t *)(void *)buffer->data)[3] = 12;
+        return;
+    }
     uint32_t *words = (uint32_t *)(void *)buffer->data;
     for (int64_t i = 0; 16 + 2 * i < buffer->size / 4; ++i)
         words[16 + 2 * i] = (uint32_t)i * driver.pixel_starts;
@@ -338,6 +362,12 @@ static void fake_GetIntegerv(U what, I *out) {
     case 0x8CA6:
         *out = (I)driver.framebuffer;
         break;
+    case 0x80A9:
+        *out = driver.samples;
+        break;
+    case 0x821D:
+        *out = 1;
+        break;
     case 0x0D3A:
         out[0] = out[1] = 16384;
         break;
@@ -394,7 +424,7 @@ static const unsigned char *fake_GetString(U name) {
 
 static const unsigned char *fake_GetStringi(U name, U index) {
     (void)name, (void)index;
-    return NULL;
+    return (const unsigned char *)driver.extension;
 }
 
 static oit_proc get_proc(const char *name) {
@@ -437,6 +467,7 @@ static int set_up(void **state) {
     (void)state;
     memset(&driver, 0, sizeof driver);
     driver.version = "4.5.0 Mock";
+    driver.extension = "GL_OES_sample_variables";
     driver.pixel_starts = 2;
     driver.program = 4000;
     driver.vertex_array = 77;
@@ -626,6 +657,161 @@ static void test_wait_waits_once(void **state) {
     oit_destroy(oit);
 }
 
+/* ---- picks and the depth of the composite ---- */
+
+static const oit_frame frame_with_depth = {
+    .framebuffer = 5, .width = 64, .height = 48, .depth = OIT_DEPTH_MEDIAN, .depth_framebuffer = 6};
+
+/* Both in each kind of frame; tear_down fails where a barrier was missing. Other frames have no pass of theirs, nor the
+ * program. */
+static void test_barriers_of_picks_and_depths(void **state) {
+    (void)state;
+    for (size_t i = 0; i < sizeof descs / sizeof descs[0]; ++i) {
+        oit_context *oit = make(descs[i]);
+        oit_pick pick = {0};
+        set_totals(64 * 48 * 2, 300);
+        assert_int_equal(draw_frame(oit, &frame, NULL), OIT_OK);
+        assert_int_equal(oit->programs[OIT_I_PROGRAM_PICK] + oit->programs[OIT_I_PROGRAM_DEPTH], 0);
+        for (int run = 0; run < 4; ++run) {
+            assert_int_equal(oit_pick_begin(oit, 60, 47, 1), OIT_OK);
+            assert_int_equal(oit_pick_begin(oit, 3, 0, 0), OIT_OK);
+            assert_int_equal(oit_pick_begin(oit, 64, 0, 0), OIT_OK); /* outside */
+            assert_int_equal(draw_frame(oit, &frame_with_depth, NULL), OIT_OK);
+            driver.finished = driver.now;
+            for (int k = 0; k < 3; ++k) {
+                assert_int_equal(oit_pick_result(oit, 0, &pick), OIT_OK);
+                assert_int_equal(pick.layers, k < 2 ? 12 : 0);
+            }
+            assert_int_equal(driver.copy_target, 78);
+        }
+        oit_destroy(oit);
+        assert_int_equal(driver.violations, 0);
+    }
+}
+
+/* A pick in each frame, whose answer is asked for and not waited for: nothing is created, nothing waits. */
+static void test_picks_do_not_wait(void **state) {
+    static const char *const never[] = {"GenBuffers", "BufferData", "CreateProgram", "CreateShader"};
+    (void)state;
+    for (size_t lag = 0; lag < 3; ++lag) {
+        oit_context *oit = make(descs[1]);
+        long ends[16] = {0};
+        int answers = 0;
+        set_totals(64 * 48 * 2, 30);
+        for (size_t run = 0; run < 12; ++run) {
+            oit_pick pick = {0};
+            int first = driver.call_count;
+            assert_int_equal(oit_pick_begin(oit, 5, 7, 0), OIT_OK);
+            assert_int_equal(draw_frame(oit, &frame_with_depth, NULL), OIT_OK);
+            ends[run] = driver.now;
+            if (run >= lag && ends[run - lag] > driver.finished)
+                driver.finished = ends[run - lag];
+            oit_result result = oit_pick_result(oit, 0, &pick);
+            assert_int_equal(result, run >= lag ? OIT_OK : OIT_NOT_READY);
+            answers += result == OIT_OK;
+            for (size_t k = 0; k < sizeof never / sizeof never[0]; ++k)
+                if (run > 6 && called_since(first, never[k]))
+                    fail_msg("%s in a steady frame", never[k]);
+        }
+        assert_int_equal(answers, 12 - lag);
+        assert_int_equal(driver.waits, 0);
+        if (lag) { /* asked for, it waits */
+            oit_pick pick = {0};
+            assert_int_equal(oit_pick_result(oit, 1, &pick), OIT_OK);
+            assert_int_equal(driver.waits, 1);
+        }
+        /* Where all reports are under way, no other barrier comes before the fence. */
+        oit_pick last = {0};
+        while (oit_pick_result(oit, 1, &last) == OIT_OK)
+            continue;
+        for (int run = 0; run < 4; ++run) {
+            if (run == 3)
+                assert_int_equal(oit_pick_begin(oit, 5, 7, 0), OIT_OK);
+            assert_int_equal(draw_frame(oit, &frame, NULL), OIT_OK);
+        }
+        assert_int_equal(oit->slot, -1);
+        assert_int_equal(oit_pick_result(oit, 1, &last), OIT_OK);
+        oit_destroy(oit);
+        assert_int_equal(driver.violations, 0);
+        set_up(state);
+    }
+}
+
+/* Every creation refused in turn, with a pick and a depth. */
+static void test_picks_with_creations_refused(void **state) {
+    long total = 1;
+    (void)state;
+    for (long refused = 1; refused <= total; ++refused) {
+        set_up(state);
+        oit_context *oit = make(descs[0]);
+        oit_pick pick = {0};
+        set_totals(20000, 10);
+        driver.refuse_creation = refused;
+        bool asked = oit_pick_begin(oit, 5, 7, 0) == OIT_OK;
+        oit_result result = draw_frame(oit, &frame_with_depth, NULL);
+        if (result != OIT_OK || !asked)
+            assert_true(strlen(driver.text) > 0);
+        assert_int_equal(driver.program, 4000);
+        assert_int_equal(driver.copy_target, 78);
+        if (!asked)
+            assert_int_equal(oit_pick_begin(oit, 5, 7, 0), OIT_OK);
+        assert_int_equal(draw_frame(oit, &frame_with_depth, NULL), OIT_OK);
+        assert_int_equal(oit_pick_result(oit, 1, &pick), OIT_OK); /* of the second frame where the first had no fence */
+        assert_int_equal(pick.layers, 12);
+        driver.finished = driver.now;
+        if (driver.creations > total)
+            total = driver.creations;
+        oit_destroy(oit);
+        assert_int_equal(tear_down(state), 0);
+        memset(driver.buffers, 0, sizeof driver.buffers);
+    }
+    assert_true(total > 20);
+}
+
+/* ---- multisampled targets ---- */
+
+/* With the same eyes; and what is refused, with the reason. */
+static void test_multisampled_targets(void **state) {
+    static const char *const extensions[] = {"GL_ARB_post_depth_coverage", "GL_EXT_post_depth_coverage", "none"};
+    (void)state;
+    for (int i = 0; i < 12; ++i) {
+        oit_desc desc = {.fields = OIT_FIELD_COVERAGE | (i & 1 ? (uint32_t)OIT_FIELD_BLEND : 0u),
+                         .fit = i & 2 ? OIT_FIT_ASYNC : OIT_FIT_WAIT};
+        driver.version = i >= 8 ? "OpenGL ES 3.1 Mock" : "4.3.0 Mock";
+        driver.extension = i >= 8 ? "GL_OES_sample_variables" : extensions[i / 4 * 2];
+        oit_context *oit = make(desc);
+        assert_int_equal(oit->desc.sample_order, i >= 4);
+        set_totals(64 * 48 * 2, 300);
+        for (int run = 0; run < 4; ++run) {
+            driver.samples = run == 2 ? 0 : 4;
+            assert_int_equal(draw_frame(oit, &frame_with_depth, NULL), OIT_OK);
+            driver.finished = driver.now;
+        }
+        assert_int_equal(oit->block.samples[0], 15);
+        assert_true(oit->block.positions[3][0] == 0.25f && oit->block.positions[0][0] == -0.5f);
+        driver.samples = 16;
+        assert_int_equal(draw_frame(oit, &frame, NULL), OIT_TARGET_MULTISAMPLED);
+        assert_non_null(strstr(driver.text, "more than OIT_MAX_SAMPLES"));
+        oit_destroy(oit);
+    }
+    driver.samples = 2;
+    oit_context *plain = make(descs[0]);
+    assert_int_equal(draw_frame(plain, &frame, NULL), OIT_TARGET_MULTISAMPLED);
+    assert_non_null(strstr(driver.text, "OIT_FIELD_COVERAGE has to be chosen"));
+    assert_int_equal(driver.framebuffer, 5);
+    oit_destroy(plain);
+    oit_desc desc = {.get_proc = get_proc, .log_fn = on_log, .fields = OIT_FIELD_COVERAGE};
+    oit_result result;
+    driver.extension = "none";
+    assert_null(oit_create(&desc, &result));
+    assert_int_equal(result, OIT_LIMIT_TOO_SMALL);
+    assert_non_null(strstr(driver.text, "GL_OES_sample_variables, which is not there; layers(n)"));
+    desc.state = OIT_STATE_NONE;
+    desc.fit = OIT_FIT_ASYNC;
+    assert_null(oit_create(&desc, &result));
+    assert_int_equal(result, OIT_INVALID_ARGUMENT);
+}
+
 /* ---- faults ---- */
 
 /* Every creation refused in turn: an error or a frame, nothing left, the host's bindings as they were, and the next frame
@@ -785,6 +971,10 @@ int main(void) {
         DRIVER_TEST(test_steady_frames),
         DRIVER_TEST(test_growth_does_not_wait),
         DRIVER_TEST(test_wait_waits_once),
+        DRIVER_TEST(test_barriers_of_picks_and_depths),
+        DRIVER_TEST(test_picks_do_not_wait),
+        DRIVER_TEST(test_picks_with_creations_refused),
+        DRIVER_TEST(test_multisampled_targets),
         DRIVER_TEST(test_every_creation_refused),
         DRIVER_TEST(test_shaders_that_fail),
         DRIVER_TEST(test_no_memory_mid_growth),

@@ -338,7 +338,7 @@ static inline void oit_scene_apply(const oit_pass *pass) {
     glScissor(state->scissor[0], state->scissor[1], state->scissor[2], state->scissor[3]);
     (state->depth_test ? glEnable : glDisable)(GL_DEPTH_TEST);
     glDepthFunc(state->depth_func);
-    glDepthMask(GL_FALSE);
+    glDepthMask((GLboolean)state->depth_write);
     GLboolean write = (GLboolean)state->color_write;
     glColorMask(write, write, write, GL_FALSE);
     (state->blend ? glEnable : glDisable)(GL_BLEND);

@@ -18,6 +18,19 @@ static bool is_dirty(const char *name) {
     return strncmp(name, "dirty_", 6) == 0;
 }
 
+/* Surfaces without an inside, or, of the bottle, without two sides. */
+static bool is_sheet(const char *name) {
+    static const char *const sheets[] = {"squares", "cylinders", "klein_bottle", "stream_surface"};
+    for (size_t i = 0; i < sizeof sheets / sizeof *sheets; i++)
+        if (strcmp(name, sheets[i]) == 0)
+            return true;
+    return false;
+}
+
+static bool is_solid(const char *name) {
+    return !is_dirty(name) && !is_sheet(name);
+}
+
 static scene *make(const char *name) {
     scene *s = models_make(name);
     if (!s)
@@ -113,7 +126,7 @@ static void clean_models_are_closed_and_face_outward(void **state) {
     (void)state;
     for (size_t i = 0; models_names[i]; i++) {
         scene *s = make(models_names[i]);
-        for (size_t j = 0; !is_dirty(models_names[i]) && j < s->mesh_count; j++) {
+        for (size_t j = 0; is_solid(models_names[i]) && j < s->mesh_count; j++) {
             double volume = 0;
             if (!scene_mesh_closed(&s->meshes[j], &volume))
                 fail_msg("%s is not closed", s->meshes[j].name);
@@ -479,6 +492,57 @@ static void dirty_flipped_has_faces_inside_out_and_no_other_fault(void **state) 
     assert_int_equal(box.boundary + box.crowded + box.no_area + box.doubled, 0);
 }
 
+/* ---- sheets ---------------------------------------------------------------------------------------------- */
+
+/* As faults_of, without the slow counts; and the longest edge, and whether both sides are to be seen. */
+static faults edges_of_sheet(const char *model, const char *part, double *longest) {
+    scene *s = make(model);
+    const scene_mesh *mesh = &s->meshes[find(s, part)->mesh];
+    faults found = {0};
+    uint32_t *places = malloc(mesh->vertex_count * sizeof *places);
+    assert_non_null(places);
+    assert_true(scene_weld(mesh->positions, mesh->vertex_count, places) <= mesh->vertex_count);
+    count_edges(mesh, places, &found);
+    assert_true(mesh->two_sided);
+    *longest = 0;
+    for (size_t i = 0; i < mesh->index_count; i++) {
+        double from[3], to[3], along[3];
+        corner(mesh, i, from);
+        corner(mesh, i % 3 == 2 ? i - 2 : i + 1, to);
+        subtract(to, from, along);
+        *longest = fmax(*longest, sqrt(dot(along, along)));
+    }
+    free(places);
+    scene_destroy(s);
+    return found;
+}
+
+static void sheets_have_the_boundaries_they_should(void **state) {
+    (void)state;
+    double longest;
+    faults square = edges_of_sheet("squares", "squares/before", &longest);
+    assert_int_equal(square.boundary, 4);
+    assert_true(fabs(longest - 50 * sqrt(2)) < 1e-5);
+    faults outer = edges_of_sheet("cylinders", "cylinders/outer", &longest);
+    assert_int_equal(outer.boundary, 2 * 128);
+    faults swept = edges_of_sheet("stream_surface", "stream_surface", &longest);
+    assert_int_equal(swept.boundary, 2 * (479 + 159));
+    printf("stream surface: longest edge %.2f\n", longest);
+    assert_true(longest < 9); /* nowhere torn by the flow: it is 150 long */
+    assert_int_equal(square.crowded + outer.crowded + swept.crowded, 0);
+    assert_int_equal(square.flipped + outer.flipped + swept.flipped, 0);
+}
+
+/* Every edge has two faces, and yet they cannot all agree on a side. */
+static void the_klein_bottle_is_closed_and_has_one_side(void **state) {
+    (void)state;
+    double longest;
+    faults bottle = edges_of_sheet("klein_bottle", "klein_bottle", &longest);
+    assert_int_equal(bottle.boundary + bottle.crowded, 0);
+    assert_int_equal(bottle.manifold, 3 * 240 * 96);
+    assert_int_equal(bottle.flipped, 96); /* one ring, where the tube meets itself turned over */
+}
+
 static void clean_parts_have_none_of_these(void **state) {
     (void)state;
     faults web = faults_in("crank", "crank/shaft"), core = faults_in("shells", "shells/core");
@@ -672,6 +736,8 @@ int main(void) {
         cmocka_unit_test(dirty_nonmanifold_has_crowded_edges),
         cmocka_unit_test(dirty_flipped_has_faces_inside_out_and_no_other_fault),
         cmocka_unit_test(clean_parts_have_none_of_these),
+        cmocka_unit_test(sheets_have_the_boundaries_they_should),
+        cmocka_unit_test(the_klein_bottle_is_closed_and_has_one_side),
         cmocka_unit_test(welding_finds_places),
         cmocka_unit_test(closedness_and_volume),
         cmocka_unit_test(normals_split_at_creases_only),
