@@ -11,14 +11,16 @@
    - or, with OIT_STORE_BUDGET, takes no more memory than it is given and never waits: the k nearest fragments of each
      pixel, chosen by set and not by arrival, and sums of the others behind them; what was lost is counted.
      OIT_STORE_BUCKETED also groups them by part (Murray, Baril, Granier 2016)
-   - blends by fragment: over, additive, multiply
+   - blends by fragment: over, additive, multiply; with each fragment's own alpha, or so that all layers of a pixel hide
+     together what one would, however many they are
+   - draws into multisampled targets: order by pixel, coverage and the host's opaque depth by sample
+   - tells which fragment lies at a pixel and a layer, and writes one depth for all of them, for passes that come after
    - works with the host's own shaders through one function call, and has shaders for hosts that have none
    - leaves the GL state as found, or tells the host which state each pass wants
 
    DOES NOT
    - create a context, or run where there are no compute shaders: macOS and WebGL 2 stay with transparency.h
-   - draw into multisampled targets: oit_begin returns OIT_TARGET_MULTISAMPLED
-   - find neighbours along surfaces, pick through layers or write a depth of the composite
+   - find neighbours along surfaces
 
    QUICK START, given a current context and its getter of function pointers
 
@@ -86,7 +88,7 @@
    GL STATE CONTRACT
    oit_create only asks: no state is changed and no object is made. Between oit_begin and oit_end the header owns the state
    of the context; the host draws its transparent objects with what each pass has set. The target's own depth, written
-   before by the host, hides fragments; it is tested and never written. Culling is off, because both sides of a surface
+   before by the host, hides fragments; it is tested, and written only where oit_frame.depth asks for it. Culling is off, because both sides of a surface
    are layers: a host that wants otherwise switches it on after oit_next_pass. desc.state says what happens around that:
    - OIT_STATE_RESTORE         all that a frame changed is as it was after oit_end (the list is oit_i_snapshot)
    - OIT_STATE_LEAVE_DEFAULTS  that state has the values of a fresh context, framebuffer 0
@@ -94,8 +96,8 @@
    - OIT_STATE_NONE            no state call is made between oit_begin and oit_end, but for memory barriers and the fence:
                                pass.state holds what the host sets, and the passes that are not the host's (those with
                                groups or a vertex_count) come to it as well. It needs OIT_FIT_ASYNC
-   Not touched, and expected to be at rest: conditional rendering, transform feedback, sample shading, clip control's
-   origin. The alpha channel of the target is not written, and of several draw buffers only the first; ES before 3.2 has
+   Not touched, and expected to be at rest: conditional rendering, transform feedback. GL_FRAMEBUFFER_SRGB is the host's
+   choice: on, with an sRGB target, colours are taken for light. The alpha channel of the target is not written, and of several draw buffers only the first; ES before 3.2 has
    no mask by buffer: give it a framebuffer with one. glGetError is never called. Where memory runs out, GL_OUT_OF_MEMORY
    is left for the host to find; the header itself goes by the size that the buffer has.
 
@@ -103,8 +105,9 @@
    Every function that can fail returns an oit_result and logs through desc.log_fn. Where something fails between oit_begin
    and oit_end, oit_next_pass returns 0 and oit_compose and oit_end return the reason; oit_end restores the state even so,
    and the next frame may be tried. One heap block a context, and one more for the time that a shader is made. On the GPU:
-   8 bytes a pixel (24 with OIT_FIT_ASYNC), and oit_get_info().fragment_bytes a fragment, a quarter more of them than the
-   last frame needed. With OIT_STORE_BUDGET and OIT_STORE_BUCKETED 40 bytes a pixel and desc.budget_bytes. One context of ours for one GL context, used from the thread that has it current.
+   8 bytes a pixel (24 with OIT_FIT_ASYNC; 4 more with OIT_FIELD_COVERAGE), and oit_get_info().fragment_bytes a fragment,
+   a quarter more of them than the last frame needed. With OIT_STORE_BUDGET and OIT_STORE_BUCKETED 40 bytes a pixel and
+   desc.budget_bytes. One context of ours for one GL context, used from the thread that has it current.
 
    STORES, desc.store
    They differ in geometry passes, memory and what happens when there is too much; the layers of a pixel come in the
@@ -135,6 +138,22 @@
    - What a frame needed: oit_get_report. In games look at lost_pixels now and then.
    - A fixed price whatever is drawn: OIT_STORE_BUDGET; desc.layers bounds k where the budget would give more. With
      OIT_STORE_BUCKETED and 16 bits of depth the count pass chooses by part as well: set fragment.part there too.
+   - What is under the cursor: oit_pick_begin(oit, x, y, layer) at any time, and oit_pick_result(oit, 0, &pick) in the
+     frames after until it is not OIT_NOT_READY; that never waits. In a tool: draw the frame, then wait with 1.
+   - Fog, depth of field, temporal anti-aliasing after glass: frame.depth = OIT_DEPTH_MEDIAN, and frame.depth_framebuffer
+     the target itself, or a framebuffer with a copy of the opaque depth.
+   - Surfaces with many layers that must not turn into a wall: desc.alpha_law = OIT_ALPHA_ADAPTIVE.
+
+   MULTISAMPLED TARGETS
+   With OIT_FIELD_COVERAGE, of 2 to OIT_MAX_SAMPLES samples. A fragment is stored once a pixel with the samples that it
+   covers and that the host's depth leaves of them; its place in the order is its depth at the middle of those. Where all
+   fragments of a pixel cover all of it, it is composed once, else once a sample (each inner edge of a mesh is such an
+   edge). Surfaces that cross within a pixel are in one order there. desc.sample_order stores each sample by itself
+   instead: order and depth by sample, for as many times the fragments. It is also what is done where the driver does not
+   tell which samples the depth test leaves (GL_ARB_post_depth_coverage, GL_EXT_post_depth_coverage in ES). ES needs
+   GL_OES_sample_variables; oit_create says so. There is no OIT_STATE_NONE for it. In ES, call oit_store where control
+   flow is uniform: it takes derivatives of the depth. The depth of the composite is one a pixel, in which a fragment
+   hides by the share of samples that it covers, as it does in the tail.
 
    LIMITS AND PRECISION
    - Depths are gl_FragCoord.z in 32 bits: layers are told apart down to one unit in the last place.
@@ -240,6 +259,15 @@ enum {
     OIT_FIELD_COVERAGE = 32 /* which samples are covered: for multisampled targets; 4 bytes a pixel, too */
 };
 #define OIT_FIELD_ALL 63u
+
+/* What alpha a fragment is composed with. */
+typedef enum oit_alpha_law {
+    OIT_ALPHA_CONSTANT, /* its own */
+    OIT_ALPHA_ADAPTIVE /* 1 - (1 - its own)^(1/n), n the layers of the pixel: n layers of alpha s hide together what one
+                           would (Carnecky 2013, equation 5). Not layers: what is added or multiplied, what is opaque and
+                           what lies behind that, all of which keep their alpha. Takes the run once more through memory */
+} oit_alpha_law;
+
 #define OIT_MAX_SAMPLES 8
 #define OIT_MAX_HOST_WORDS 8
 
@@ -273,8 +301,9 @@ typedef struct oit_desc {
     int sample_order; /* 1, with OIT_FIELD_COVERAGE: each sample is a fragment of its own; see MULTISAMPLED TARGETS */
     int headroom; /* OIT_STORE_PREDICT: places that a pixel gets beyond those that it or a neighbour needed in the frame
                      before, in sixteenths, rounded up; at most 64; 0: default 2; negative: none */
-    uint32_t operators;  /* OIT_OPERATE_*: what oit_run may be asked for; see OPERATORS */
-    int operator_fields; /* numbers of the host's own for each fragment, kept between its operators; 4 bytes each */
+    oit_alpha_law alpha_law; /* ADAPTIVE knows all of a pixel's fragments, so not with BUDGET, BUCKETED */
+    uint32_t operators;      /* OIT_OPERATE_*: what oit_run may be asked for; see OPERATORS */
+    int operator_fields;     /* numbers of the host's own for each fragment, kept between its operators; 4 bytes each */
 } oit_desc;
 
 typedef struct oit_info {
@@ -878,8 +907,8 @@ static const char *const oit_i_shader_oit_color_glsl[] = {
 static const char *const oit_i_shader_oit_compose_frag[] = {
     "#line 1\n"
     "// For: oit_buffers.h\n"
-    "// The pixels whose runs have at most OIT_CLASS records and are too deep for the program drawn before, composed over the target; with OIT_DEEP\n"
-    "// all that are deeper than the programs that were drawn before, OIT_CLASS records at a time.\n"
+    "// The pixels whose runs have at most OIT_CLASS records and are too deep for the program drawn before, composed over the\n"
+    "// target; with OIT_DEEP all that are deeper than the programs that were drawn before, OIT_CLASS records at a time.\n"
     "#if OIT_MODE == OIT_MODE_DUAL\n"
     "layout(location = 0, index = 0) out highp vec4 oit_out;\n"
     "layout(location = 0, index = 1) out highp vec4 oit_keep;\n"
@@ -955,6 +984,9 @@ static const char *const oit_i_shader_oit_compose_frag[] = {
     "    if (n <= oit_above[OIT_INDEX] || n > uint(OIT_CLASS))\n"
     "        discard;\n"
     "#endif\n"
+    "#if OIT_ADAPTIVE\n"
+    "    oit_count_layers((start - oit_pool.y) * uint(OIT_VECTORS), n);\n"
+    "#endif\n"
     "    oit_lay_run((start - oit_pool.y) * uint(OIT_VECTORS), n);\n"
     "#if OIT_KEEPS\n"
     "    oit_lay_tail(p);\n"
@@ -984,6 +1016,67 @@ static const char *const oit_i_shader_oit_compose_glsl[] = {
     "vec3 oit_sum = vec3(0.0);\n"
     "OIT_THROUGH oit_through = OIT_THROUGH(1.0);\n"
     "\n"
+    "#if OIT_ADAPTIVE\n"
+    "// Adaptive transparency (Carnecky 2013, equation 5): each of a pixel's n layers gets 1 - (1 - s)^(1/n), so that together they\n"
+    "// hide as much as one of opacity s, however many there are. Here s is a fragment's own alpha. Layers are what that changes:\n"
+    "// neither light that is added nor filters, nor what is opaque, nor what lies behind that.\n"
+    "float oit_layers = 1.0;\n"
+    "\n"
+    "// Alpha, where the record is laid over what is behind it, else 0; and how much of what is composed it covers.\n"
+    "float oit_over_alpha(uint at, out float part)\n"
+    "{\n"
+    "    uvec4 r, q;\n"
+    "    oit_load(at, r, q);\n"
+    "    part = 1.0;\n"
+    "#if OIT_COVERED == OIT_BY_SAMPLE\n"
+    "    part = float(OIT_COVERAGE_OF(OIT_SORTED_WORD(OIT_AT_COVERAGE)) >> uint(gl_SampleID) & 1u);\n"
+    "#elif OIT_COVERED == OIT_BY_SHARE\n"
+    "    part = OIT_SHARE(OIT_COVERAGE_OF(OIT_SORTED_WORD(OIT_AT_COVERAGE)));\n"
+    "#endif\n"
+    "#if OIT_HAS_BLEND && OIT_COLOR == OIT_COLOR_8\n"
+    "    if (OIT_SORTED_WORD(OIT_AT_COLOR) >> 30u != 0u)\n"
+    "        return 0.0;\n"
+    "#elif OIT_HAS_BLEND\n"
+    "    if ((OIT_SORTED_WORD(OIT_AT_BLEND) & 255u) != 0u)\n"
+    "        return 0.0;\n"
+    "#endif\n"
+    "    return oit_unpack_color(oit_color_words(r, q)).a;\n"
+    "}\n"
+    "\n"
+    "void oit_count_layers(uint base, uint n)\n"
+    "{\n"
+    "    uint wall = OIT_NONE;\n"
+    "    float part;\n"
+    "    for (uint i = 0u; i < n; ++i) {\n"
+    "        uint at = base + i * uint(OIT_VECTORS);\n"
+    "        if (oit_over_alpha(at, part) >= 1.0 && part == 1.0)\n"
+    "            wall = min(wall, oit_record_depth(at));\n"
+    "    }\n"
+    "    oit_layers = 0.0;\n"
+    "    for (uint i = 0u; i < n; ++i) {\n"
+    "        uint at = base + i * uint(OIT_VECTORS);\n"
+    "        float alpha = oit_over_alpha(at, part);\n"
+    "        if (alpha > 0.0 && alpha < 1.0 && oit_record_depth(at) < wall)\n"
+    "            oit_layers += part;\n"
+    "    }\n"
+    "}\n"
+    "\n"
+    "// 1 - (1 - alpha)^(1/n) = 1 - e^(log(1 - alpha) / n); by series where the plain functions lose their digits, or are none\n"
+    "// too good on some drivers: log(1 - a) = -2 artanh(a / (2 - a)).\n"
+    "float oit_adapt(float alpha)\n"
+    "{\n"
+    "    if (!(alpha > 0.0 && alpha < 1.0 && oit_layers > 1.0))\n"
+    "        return alpha;\n"
+    "    float z = alpha / (2.0 - alpha), y = z * z, t = log(1.0 - alpha);\n"
+    "    if (alpha < 0.5)\n"
+    "        t = -2.0 * z * (1.0 + y * (1.0 / 3.0 + y * (1.0 / 5.0 + y * (1.0 / 7.0 + y * (1.0 / 9.0 + y * (1.0 / 11.0 + y / 13.0))))));\n"
+    "    t /= oit_layers;\n"
+    "    if (t < -0.3)\n"
+    "        return 1.0 - exp(t);\n"
+    "    return -t * (1.0 + t / 2.0 * (1.0 + t / 3.0 * (1.0 + t / 4.0 * (1.0 + t / 5.0 * (1.0 + t / 6.0 * (1.0 + t / 7.0))))));\n"
+    "}\n"
+    "#endif\n"
+    "\n"
     "void oit_lay(uvec4 r, uvec4 q)\n"
     "{\n"
     "#if OIT_COVERED == OIT_BY_SAMPLE\n"
@@ -992,6 +1085,17 @@ static const char *const oit_i_shader_oit_compose_glsl[] = {
     "#endif\n"
     "    uvec4 words = oit_color_words(r, q);\n"
     "    vec4 color = oit_unpack_color(words);\n"
+    "#if OIT_ADAPTIVE && OIT_HAS_BLEND && OIT_COLOR == OIT_COLOR_8\n"
+    "    float adapted = words.x >> 30u == 0u ? oit_adapt(color.a) : color.a;\n"
+    "#elif OIT_ADAPTIVE && OIT_HAS_BLEND\n"
+    "    float adapted = (OIT_SORTED_WORD(OIT_AT_BLEND) & 255u) == 0u ? oit_adapt(color.a) : color.a;\n"
+    "#elif OIT_ADAPTIVE\n"
+    "    float adapted = oit_adapt(color.a);\n"
+    "#endif\n"
+    "#if OIT_ADAPTIVE\n"
+    "    if (adapted != color.a)\n"
+    "        color = vec4(color.rgb * (OIT_PREMULTIPLIED == 1 ? adapted / color.a : 1.0), adapted);\n"
+    "#endif\n"
     "#if OIT_COVERED == OIT_BY_SHARE\n"
     "    color *= vec4(vec3(OIT_PREMULTIPLIED == 1 ? OIT_SHARE(OIT_COVERAGE_OF(OIT_SORTED_WORD(OIT_AT_COVERAGE))) : 1.0),\n"
     "                  OIT_SHARE(OIT_COVERAGE_OF(OIT_SORTED_WORD(OIT_AT_COVERAGE))));\n"
@@ -1006,7 +1110,8 @@ static const char *const oit_i_shader_oit_compose_glsl[] = {
     "    uint blend = words.x >> 30u;\n"
     "#else\n"
     "    uint blend = OIT_SORTED_WORD(OIT_AT_BLEND) & 255u;\n"
-    "#endif\n"
+    "#endif\n",
+    "#line 107\n"
     "    if (blend == 2u) { // multiply: seen through a filter of that colour\n"
     "        oit_through *= 1.0 - color.a + light;\n"
     "        return;\n"
@@ -1068,16 +1173,20 @@ static const char *const oit_i_shader_oit_compose_glsl[] = {
     "// By all their words, so that two of which neither comes after the other are alike: ties need no further care.\n"
     "bool oit_words_after(uvec4 a, uvec4 b, bool more)\n"
     "{\n"
-    "    return a.x > b.x || (a.x == b.x && (a.y > b.y || (a.y == b.y && (a.z > b.z || (a.z == b.z && (a.w > b.w || (a.w == b.w && more)))))));\n"
+    "    bool w = a.w > b.w || (a.w == b.w && more);\n"
+    "    bool z = a.z > b.z || (a.z == b.z && w);\n"
+    "    bool y = a.y > b.y || (a.y == b.y && z);\n"
+    "    return a.x > b.x || (a.x == b.x && y);\n"
     "}\n"
     "\n"
     "// What oit_i_put_network writes is made of these: registers r and q (oit_load), swapped where they are in the wrong order,\n"
     "// then laid. Each record is read once; what is not there comes after all that is, and has no colour and no alpha.\n"
     "#define L(r, q, i) uvec4 r = uvec4(OIT_NONE, 0u, 0u, 0u), q = uvec4(0u); if (i < n) oit_load(base + i * uint(OIT_VECTORS), r, q);\n"
+    "#define X(r, u, g) { uvec4 t = g ? u : r; u = g ? r : u; r = t; }\n"
     "#if OIT_SORTED > 4\n"
-    "#define S(r, q, u, v) { bool g = oit_words_after(r, u, oit_words_after(q, v, false)); uvec4 t = g ? u : r; u = g ? r : u; r = t; t = g ? v : q; v = g ? q : v; q = t; }\n"
+    "#define S(r, q, u, v) { bool g = oit_words_after(r, u, oit_words_after(q, v, false)); X(r, u, g) X(q, v, g) }\n"
     "#else\n"
-    "#define S(r, q, u, v) { bool g = oit_words_after(r, u, false); uvec4 t = g ? u : r; u = g ? r : u; r = t; }\n"
+    "#define S(r, q, u, v) { bool g = oit_words_after(r, u, false); X(r, u, g) }\n"
     "#endif\n"
     "#define Y(r, q, i) oit_lay(r, q);\n"
     "#endif\n",
@@ -1099,6 +1208,9 @@ static const char *const oit_i_shader_oit_depth_frag[] = {
     "    uint base, n, at = OIT_NONE;\n"
     "    if (!oit_find_run(uint(where.y) * uint(oit_area.z) + uint(where.x), base, n))\n"
     "        discard;\n"
+    "#if OIT_ADAPTIVE\n"
+    "    oit_count_layers(base, n);\n"
+    "#endif\n"
     "    for (uint i = 0u; i < n; ++i) {\n"
     "        at = oit_next(base, n, at);\n"
     "        oit_lay(at);\n"
@@ -1153,7 +1265,7 @@ static const char *const oit_i_shader_oit_frame_block_glsl[] = {
     "    highp uvec4 oit_step;  // x: 1 with the first slab of a frame, y: what is deeper is left to the program for all depths,\n"
     "                           // w: k of the stores that keep the k nearest; of others 1 where the fragments are stored before\n"
     "                           // they are counted, 2 where they are stored again; of fetch how many passes there are, if known\n"
-    "    highp uvec4 oit_above; // what is not deeper than this is left to the program before: of up to 8, 16, 32, 64\n"
+    "    highp uvec4 oit_above; // what is not deeper than this is left to the program before: of up to 8, 16, 32\n"
     "    highp vec4 oit_light;  // xyz: toward the light, unit length; zero: no shading. w: weight of the background\n"
     "    highp vec4 oit_output; // x: transmittance below which the depth of the composite is taken\n"
     "    highp ivec4 oit_part;          // x, y of the corner in the target, width and height of what is filled and composed now\n"
@@ -1171,7 +1283,7 @@ static const char *const oit_i_shader_oit_frame_block_glsl[] = {
     "#define OIT_EXTRA 4u       // fragments that the fill met and the count had not\n"
     "#define OIT_TOTAL 5u       // fragments of this slab\n"
     "#define OIT_TAKEN 6u       // OIT_STORE_LINKED: records taken of the list\n"
-    "#define OIT_PIXELS 8u      // from here on, by power of two: pixels of up to 8, 16, 32, 64 fragments, and of more\n"
+    "#define OIT_PIXELS 8u      // from here on, by power of two: pixels of up to 8, 16, 32 fragments, and of more\n"
     "#define OIT_HEADER 16u\n"
     "#define OIT_START(p) (OIT_HEADER + 2u * (p))\n"
     "#define OIT_LEFT(p) (OIT_HEADER + 1u + 2u * (p))\n"
@@ -1297,7 +1409,7 @@ static const char *const oit_i_shader_oit_keep_comp[] = {
     "layout(local_size_x = 128) in;\n"
     "layout(std430, binding = OIT_BINDING_PIXELS) buffer oit_pixels { uint oit_pixel[]; };\n"
     "shared uint oit_all[5];     // needed, deepest, lost pixels, lost fragments\n"
-    "shared uint oit_classes[5]; // pixels by how many fragments are kept\n"
+    "shared uint oit_classes[4]; // pixels by how many fragments are kept\n"
     "\n"
     "uint oit_kept(uint p, uint count)\n"
     "{\n"
@@ -1325,14 +1437,14 @@ static const char *const oit_i_shader_oit_keep_comp[] = {
     "    atomicAdd(oit_all[2], kept < count ? 1u : 0u);\n"
     "    atomicAdd(oit_all[3], count - kept);\n"
     "    if (kept > 0u)\n"
-    "        atomicAdd(oit_classes[kept <= 8u ? 0u : min(uint(findMSB(kept - 1u)) - 2u, 4u)], 1u);\n"
+    "        atomicAdd(oit_classes[kept <= 8u ? 0u : min(uint(findMSB(kept - 1u)) - 2u, 3u)], 1u);\n"
     "}\n"
     "\n"
     "void main()\n"
     "{\n"
     "    uint block = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;\n"
     "    uint self = gl_LocalInvocationID.x;\n"
-    "    if (self < 5u)\n"
+    "    if (self < 4u)\n"
     "        oit_all[self] = oit_classes[self] = 0u;\n"
     "    barrier();\n"
     "    for (uint i = 0u; i < 8u; ++i) {\n"
@@ -1341,7 +1453,7 @@ static const char *const oit_i_shader_oit_keep_comp[] = {
     "            oit_keep_nearest(p);\n"
     "    }\n"
     "    barrier();\n"
-    "    if (self < 5u && oit_classes[self] > 0u)\n"
+    "    if (self < 4u && oit_classes[self] > 0u)\n"
     "        atomicAdd(oit_pixel[OIT_PIXELS + self], oit_classes[self]);\n"
     "    if (self == 0u && block == 0u)\n"
     "        oit_pixel[OIT_START(oit_pool.x)] = oit_pool.x * OIT_LAYERS;\n"
@@ -2852,7 +2964,7 @@ static const char *const oit_i_shader_oit_scan_glsl[] = {
     "// 0 for up to 8, then one more for each doubling.\n"
     "uint oit_class(uint count)\n"
     "{\n"
-    "    return count <= 8u ? 0u : min(uint(findMSB(count - 1u)) - 2u, 4u);\n"
+    "    return count <= 8u ? 0u : min(uint(findMSB(count - 1u)) - 2u, 3u);\n"
     "}\n"
     "#ifdef OIT_SCANS\n"
     "shared uint oit_scanned[128];\n"
@@ -3271,6 +3383,11 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "void oit_to_tail(uint p, uint count, oit_fragment f)\n"
     "{\n"
     "    float scale = exp2(float(26 - findMSB(count) - 1));\n"
+    "#if OIT_ADAPTIVE && OIT_HAS_BLEND // equation 5, all fragments of the pixel taken for layers\n"
+    "    scale /= f.color.a < 1.0 && f.blend == OIT_BLEND_OVER ? float(count) : 1.0;\n"
+    "#elif OIT_ADAPTIVE\n"
+    "    scale /= f.color.a < 1.0 ? float(count) : 1.0;\n"
+    "#endif\n"
     "    uvec4 parts = uvec4(oit_tail_amounts(oit_finite(f.color), OIT_BLEND_OF(f), OIT_COVERED_NOW) * scale + 0.5);\n"
     "    atomicAdd(oit_pixel[OIT_TAIL(p)], parts.r);\n"
     "    atomicAdd(oit_pixel[OIT_TAIL(p) + 1u], parts.g);\n"
@@ -3325,7 +3442,8 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "#endif\n"
     "    uint left = atomicAdd(oit_pixel[OIT_LEFT(p)], OIT_STORE == OIT_LINKED && OIT_DIRECT ? 1u : 0xffffffffu);\n"
     "#if OIT_ASYNC && (OIT_STORE == OIT_EXACT || OIT_STORE == OIT_LINKED)\n"
-    "    if (left >> 30u == 1u) { // OIT_UNFIT, and not what wraps below 0\n"
+    "    if (left >> 30u == 1u) { // OIT_UNFIT, and not what wraps below 0\n",
+    "#line 356\n"
     "        if (left == OIT_UNFIT) {\n"
     "            atomicAdd(oit_pixel[OIT_EXTRA], 1u);\n"
     "            return;\n"
@@ -3333,8 +3451,7 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "#if OIT_TAIL_WORDS == 4\n"
     "        oit_to_tail(p, oit_pixel[OIT_START(p + 1u)] - oit_pixel[OIT_START(p)], f);\n"
     "#else\n"
-    "        uint words[OIT_VECTORS * OIT_LANES];\n",
-    "#line 359\n"
+    "        uint words[OIT_VECTORS * OIT_LANES];\n"
     "        oit_pack(f, words);\n"
     "        oit_to_tail(p, f, words);\n"
     "#endif\n"
@@ -3399,14 +3516,14 @@ static const char *const oit_i_shader_oit_sum_comp[] = {
     "layout(std430, binding = OIT_BINDING_PIXELS) buffer oit_pixels { uint oit_pixel[]; };\n"
     "shared uint oit_sums[128];\n"
     "shared uint oit_most[128];\n"
-    "shared uint oit_classes[5];\n"
+    "shared uint oit_classes[4];\n"
     "\n"
     "void main()\n"
     "{\n"
     "    uint block = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;\n"
     "    uint self = gl_LocalInvocationID.x;\n"
     "    uint sum = 0u, most = 0u;\n"
-    "    if (self < 5u)\n"
+    "    if (self < 4u)\n"
     "        oit_classes[self] = 0u;\n"
     "    barrier();\n"
     "    for (uint i = 0u; i < 8u; ++i) {\n"
@@ -3428,7 +3545,7 @@ static const char *const oit_i_shader_oit_sum_comp[] = {
     "        barrier();\n"
     "    }\n"
     "    bool known = OIT_STORE != OIT_PREDICT || !OIT_DIRECT; // what is only guessed is not reported\n"
-    "    if (known && self < 5u && oit_classes[self] > 0u)\n"
+    "    if (known && self < 4u && oit_classes[self] > 0u)\n"
     "        atomicAdd(oit_pixel[OIT_PIXELS + self], oit_classes[self]);\n"
     "    if (self == 0u && block < oit_pool.w) {\n"
     "        oit_pixel[OIT_SUM(block)] = oit_sums[0];\n"
@@ -3908,8 +4025,8 @@ enum {
 #define OIT_I_REPORTS 3
 
 /* Runs are composed by programs for so many fragments, the last for all that are deeper. */
-#define OIT_I_CLASSES 5
-static const int oit_i_class_sizes[OIT_I_CLASSES] = {8, 16, 32, 64, 32};
+#define OIT_I_CLASSES 4
+static const int oit_i_class_sizes[OIT_I_CLASSES] = {8, 16, 32, 32};
 
 /* How a composed pixel goes into the target. */
 enum {
@@ -4506,6 +4623,8 @@ static const char *oit_i_bad_operators(const oit_desc *desc) {
         return 0;
     if (desc->store == OIT_STORE_FETCH)
         return "operators do not go with OIT_STORE_FETCH, which keeps no fragments";
+    if (desc->alpha_law != OIT_ALPHA_CONSTANT)
+        return "alpha_law does not go with operators, which have OIT_RUN_LAW";
     if (desc->fields & OIT_FIELD_COVERAGE)
         return "operators do not go with OIT_FIELD_COVERAGE: neighbours are those of pixels, not of samples";
     return 0;
@@ -4544,6 +4663,10 @@ static const char *oit_i_bad_member(const oit_desc *desc) {
         return "OIT_STORE_BUCKETED groups fragments by OIT_FIELD_PART, which is not chosen";
     if ((desc->fields & OIT_FIELD_COVERAGE) && desc->state == OIT_STATE_NONE)
         return "OIT_FIELD_COVERAGE does not go with OIT_STATE_NONE: samples are the target's, which is not asked there";
+    if ((unsigned)desc->alpha_law > (unsigned)OIT_ALPHA_ADAPTIVE)
+        return "alpha_law is none of its enumerators";
+    if (desc->alpha_law == OIT_ALPHA_ADAPTIVE && oit_i_keeps(desc))
+        return "OIT_ALPHA_ADAPTIVE goes with stores that keep every fragment";
     if (desc->sample_order && !(desc->fields & OIT_FIELD_COVERAGE))
         return "sample_order goes with OIT_FIELD_COVERAGE";
     if (desc->host_words < 0 || desc->host_words > OIT_MAX_HOST_WORDS)
@@ -4970,6 +5093,7 @@ static void oit_i_write_preamble(const oit_desc *desc, int es, char *at, size_t 
     oit_i_define(&text, "OIT_HAS_COVERAGE", (desc->fields & OIT_FIELD_COVERAGE) != 0);
     oit_i_define(&text, "OIT_POST_DEPTH", !desc->sample_order);
     oit_i_define(&text, "OIT_ES", es != 0);
+    oit_i_define(&text, "OIT_ADAPTIVE", desc->alpha_law == OIT_ALPHA_ADAPTIVE);
     oit_i_define(&text, "OIT_HOST_WORDS", desc->host_words);
     oit_i_define(&text, "OIT_LANES", record.lanes);
     oit_i_define(&text, "OIT_VECTORS", record.words / record.lanes);

@@ -10,6 +10,9 @@
      they enter transparent ones
    - gives the same picture, bit for bit, in whatever order the objects are drawn; sorts nothing, reads nothing back
      (opaque objects that share a plane are the exception: see LIMITS)
+   - shows units that must not be lost from sight through whatever hides them, after Assarsson, Elmqvist and Tsigas,
+     "Image-Space Dynamic Transparency for Improved Object Discovery in 3D Environments" (2006), with one mask for all of
+     them, blended or screen-door: see DYNAMIC TRANSPARENCY
    - shades from cool to warm (Gooch et al. 1999) and draws silhouettes and creases in the right passes, for hosts that
      have no shaders of their own; works with the host's own shaders through one function call
    - leaves the GL state as found, or tells the host which state each pass wants
@@ -102,7 +105,8 @@
 
    ERRORS, MEMORY, THREADS
    Every function that can fail returns a tr_result and logs through desc.log_fn. A failed tr_begin leaves the state as
-   found and nothing allocated that tr_destroy would not free; the next frame may be tried. One heap block a context.
+   found and nothing allocated that tr_destroy would not free; the next frame may be tried. One heap block a context, up to two more with
+   tr_begin_dynamic.
    tr_set_edges and tr_find_outlines make textures of their own when sizes change, and hold them until tr_release;
    tr_set_crossings until tr_destroy.
    Textures are created when a plan first needs them or the size changes (never in a steady frame): 24 bytes a pixel with
@@ -160,6 +164,55 @@
                            the front-most surface alone, and is right to a pixel where that faces the eye
    Hosts' own programs put the strings of tr_alpha_glsl() after those of tr_glsl(), and multiply their alpha by tr_alpha().
    Shaders that cost much may ask tr_may_show() first.
+
+   DYNAMIC TRANSPARENCY
+   Targets are seen through what lies before them, and through a soft edge around them: opacity alpha_target before the
+   target itself, beside it rising from alpha_start to 1 over `width` pixels. An opaque scene of any engine stays as it is;
+   the header asks for a few things to be drawn once more. A second recipe:
+
+    static tr_unit units[COUNT];        // what the game knows: bounding spheres, which are targets, what is the ground
+
+    tr_result draw_battle(tr_context *tr, const tr_frame *frame, tr_dynamic *dynamic) {   // both begin as zeros
+        tr_pass pass;                                                 // frame: target and viewport
+        size_t i;
+        tr_result result;
+        dynamic->units = units;
+        dynamic->unit_count = COUNT;                                  // and dynamic->view, dynamic->projection
+        result = tr_begin_dynamic(tr, frame, dynamic);
+        if (result != TR_OK) return result;
+        while (tr_next_pass(tr, &pass)) {
+            if (pass.kind == TR_PASS_SCENE && pass.rule == TR_RULE_SEE_PLAIN)
+                draw_everything_as_ever();                            // own programs, own state, all attachments
+            else
+                for (i = 0; i < pass.unit_count; ++i)                 // a variant of your program for each rule that you
+                    draw_unit(pass.units[i], my_program_for(pass.rule));    // meet; see below. Batches may hold more
+        }
+        return tr_end(tr);
+    }
+
+   - The variant: tr_glsl(tr, stage, rule) before your shaders, tr_see_through(color, code) last in main, then write color to
+     location 0; tr_prepare_program() once. code is tr_unit_code() of the unit, a uniform, an attribute of instances or a
+     texel. Where TR_WANTS_COLOR is 0 shading may be skipped. Shaders that discard (leaves) do so before the call. Outputs
+     beyond location 0 go nowhere but in TR_PASS_SCENE: attachments of a G-buffer are drawn as ever, and left alone.
+   - What to call what: units that must be seen are targets, all else is a distractor but for the ground and the sky, which
+     are backdrops (a distractor ground would be cut open along the lower edge of each target), and what shall never be
+     seen through, which is impenetrable. Hills are distractors, or impenetrable.
+   - TR_SEE_ONE_MASK (default) blends. TR_SEE_DITHER leaves out fragments instead, by a threshold a pixel that changes with
+     frame_index: for deferred pipelines (draw your G-buffer in TR_PASS_SCENE, and depth is right) and with temporal
+     anti-aliasing. Both sort nothing, and cost the same for one target and for a thousand but for what is covered.
+   - Where no target is in view, or nothing that yields lies before one, TR_PASS_SCENE is all there is and no GL call is made.
+   - Search lights: targets with TR_UNIT_ACTIVE are seen inside of dynamic.lights only. Coming and going: tr_advance(), with
+     wanted 1 for what shall fade out; it is the mask that fades, not the unit.
+   - tr_query_hidden() tells how much of each target is hidden, two or three frames late, without waiting.
+   - Two-sided materials: passes cull back faces, as pass.state says; switch that off and on again around what has two sides.
+   - State: before TR_PASS_SCENE it is the host's, see tr_begin_dynamic; in the other passes it is ours, as in any sequence.
+   - Memory: 16.6 bytes of textures a pixel with masks at half the resolution, 4 more for TR_SEE_ONE_MASK, 1 more where
+     some importance of a distractor is neither 0 nor 1 (tr_see_plan.bytes). Lists of units, 44 bytes each, and the answers
+     of queries, half a megabyte, are a second and a third block on the heap; tr_release gives all of it back.
+   - Limits: the nearest of several targets at a pixel owns it, so that what is before the others is cut for the nearest
+     alone. Behind an occluder other faces of the same object may show beside a target. What shows through passes through 8
+     bits; with TR_WISH_SRGB through sRGB ones. Of multisampled targets the mask is a pixel's. Errors, prices and where
+     we depart from the paper: docs/dynamic.md.
 
    LIMITS AND PRECISION
    - Depths are 32-bit floats; transparent layers are told apart down to one unit in the last place. Opaque things are
@@ -242,6 +295,8 @@ typedef struct tr_desc {
     int reversed_z;         /* 1: near is 1, far is 0 */
     int front_face_cw;      /* 1: front faces are wound clockwise in window space */
     int zero_to_one;        /* 1: clip depth runs from 0 to 1 (glClipControl), as frame.projection has it */
+    int eight_bits; /* 1: no colour textures of floats, even where they can be drawn into: less to move, and masks of
+                               dynamic transparency are rounded to 255ths */
 } tr_desc;
 
 /* ---- what is drawn ---------------------------------------------------------------------------------------------- */
@@ -373,7 +428,8 @@ typedef enum tr_pass_kind {
     /* of tr_begin_dynamic; the host draws pass.units in those that are not called full screen */
     TR_PASS_BLOCK,        /* depth of what closes masks */
     TR_PASS_TARGETS,      /* depth and strength of the nearest target */
-    TR_PASS_SPREAD_X,     /* full screen, as are all of these four: nearest pixel of a target in each row */
+    TR_PASS_BITS,         /* full screen, as are all of these five: pixels of targets, packed */
+    TR_PASS_SPREAD_X,     /* the nearest of them in each row */
     TR_PASS_SPREAD_Y,     /* nearest of all, at the mask's resolution */
     TR_PASS_FINISH,       /* mask and its depth, at the target's resolution */
     TR_PASS_PRIME,        /* depth that lets nothing be drawn outside of masks */
@@ -383,6 +439,22 @@ typedef enum tr_pass_kind {
     TR_PASS_COMPOSE_MASK, /* full screen, into the target: the former over the scene */
     TR_PASS_QUERY,        /* full screen: which target, at a quarter of the resolution */
     TR_PASS_HIDES,        /* the same resolution: where something lies before it */
+    /* of TR_SEE_SEQUENCE and TR_SEE_PUBLISHED */
+    TR_PASS_WIPE,        /* boxes of masks, as are ROWS, NEAREST and MASKS: forgets the targets of the run before */
+    TR_PASS_SEEDS,       /* depth of the targets of a run */
+    TR_PASS_ROWS,        /* nearest pixel of a target in each row */
+    TR_PASS_NEAREST,     /* nearest of all */
+    TR_PASS_MASKS,       /* what the masks of a run leave of opacity, with those before */
+    TR_PASS_PAINT_DEPTH, /* depth of solid units: their front-most surfaces */
+    TR_PASS_PAINT,       /* units, blended; triangles of TR_UNIT_HOLLOW ones are to come back to front */
+    TR_PASS_COUNT,       /* occluders a pixel */
+    TR_PASS_PAINT_OVER,  /* full screen: from a target of our own into the host's */
+    /* of TR_SEE_EXACT, besides SCENE, BLOCK, WIPE, SEEDS, ROWS and NEAREST */
+    TR_PASS_REACH,          /* boxes: how far masks look through */
+    TR_PASS_PEEL_UNITS,     /* the next layer of what is within masks */
+    TR_PASS_KEEP,           /* full screen: whose it is */
+    TR_PASS_SHARE,          /* boxes: what masks leave of the opacity of four layers */
+    TR_PASS_COMPOSE_LAYERS, /* full screen, into the target */
     TR_PASS_KIND_COUNT
 } tr_pass_kind;
 
@@ -412,6 +484,13 @@ typedef enum tr_rule {
     TR_RULE_SEE_YIELD,
     TR_RULE_SEE_DITHER,
     TR_RULE_SEE_HIDES,
+    /* of shaders/seq_units.glsl */
+    TR_RULE_SEE_DEPTH,
+    TR_RULE_SEE_SEED,
+    TR_RULE_SEE_BLEND,
+    TR_RULE_SEE_BLEND_LAYERS,
+    TR_RULE_SEE_COUNT,
+    TR_RULE_SEE_PEEL,
     TR_RULE_SEE_END
 } tr_rule;
 
@@ -478,7 +557,8 @@ typedef struct tr_state {
     uint32_t blend_source, blend_destination, blend_source_alpha, blend_destination_alpha; /* equation: add */
     uint32_t cull_face;                                                                    /* 0: none */
     uint32_t front_face;
-    int scissor[4]; /* x, y, width, height, for clears too; width 0: no scissor test */
+    uint32_t blend_equation; /* 0: add */
+    int scissor[4];          /* x, y, width, height, for clears too; width 0: no scissor test */
 } tr_state;
 
 typedef struct tr_pass {
@@ -538,7 +618,7 @@ typedef struct tr_unit {
 typedef enum tr_see {
     TR_SEE_ONE_MASK,  /* one mask for all targets, blended; order-free, one more drawing of what is in masks */
     TR_SEE_DITHER,    /* the same mask, screen-door: one drawing, depth writes, no blending; for deferred pipelines */
-    TR_SEE_EXACT,     /* layer by layer, as the truth has it, within the masks */
+    TR_SEE_EXACT,     /* layer by layer, as the truth has it, within the masks; ids of all units have to differ */
     TR_SEE_SEQUENCE,  /* whole objects back to front, a mask a target: Assarsson 2006, section 4, as amended */
     TR_SEE_PUBLISHED, /* the same as published: all masks multiply, each occluder on its own */
     TR_SEE_OFF,       /* plain drawing */
@@ -597,6 +677,7 @@ typedef struct tr_see_pass {
     tr_rule rule;        /* of passes that the host draws */
     uint32_t unit_count; /* that the host draws in it */
     const char *why;
+    uint32_t times; /* of TR_SEE_EXACT and the sequences: how often in a frame */
 } tr_see_pass;
 
 /* What runs, and why. */
@@ -611,6 +692,11 @@ typedef struct tr_see_plan {
     uint32_t tiles;   /* rectangles that full-screen passes cover, in place of all of it */
     float covered;    /* by them, share of the viewport */
     uint64_t bytes;   /* of textures that are needed */
+    uint32_t runs;    /* of masks, in TR_SEE_EXACT and the sequences: those of one run do not overlap */
+    /* Of TR_SEE_EXACT: layers peeled a pixel, and how many there may be at most, by the units' bounds. Where these are more,
+       what is behind the first layers - 1, but before the farthest target that a pixel shows, may be left out of the picture.
+       Targets farthest at their pixels are not; nor is the sum of targets' weights ever less than 1 - alpha_target. */
+    uint32_t layers, layer_bound;
 } tr_see_plan;
 
 /* Begins a frame; then tr_next_pass and tr_end as always: in each pass the host draws pass.units, with the program for
@@ -1516,7 +1602,7 @@ static const char *const tr_i_shader_see_block_glsl[] = {
     "    highp vec4 tr_see_background; // rgb: where nothing is drawn; a: 1 where each occluder counts on its own\n"
     "    highp ivec4 tr_see_grid;      // pixels a texel of masks; a cell; frame index; pixels that masks reach\n"
     "    highp vec4 tr_see_lights[8];  // x, y, radius, edge, pixels of the viewport\n"
-    "    highp uvec4 tr_see_tiles[160]; // four each: x0, y0, x1, y1 in cells, a byte each, x0 the lowest\n"
+    "    highp uvec4 tr_see_tiles[500]; // four each: x0, y0, x1, y1 in cells, a byte each, x0 the lowest\n"
     "};\n"
     "\n"
     "#ifdef TR_REVERSED_Z\n"
@@ -1765,37 +1851,63 @@ static const char *const tr_i_shader_see_spread_frag[] = {
     "// For: transparency.h\n"
     "// How far the nearest pixel of a target is: exact, by rows and then across them.\n"
     "//\n"
-    "// TR_SPREAD 0: in its row, for each texel of masks, as the pixels from the texel's first one to it, plus 128, in 255ths; 0:\n"
-    "// none. TR_SPREAD 1: of the rows' the nearest, of equally near ones that nearest to the eye. A texel stands for the middle\n"
-    "// of its pixels; twice the positions are integers. Steps go outward from there: left and right, up and down, are one step.\n"
+    "// TR_SPREAD 0: eight pixels of a row as bits, so that the next steps over empty space are long ones. TR_SPREAD 1: in its\n"
+    "// row, for each texel of masks, as the pixels from the texel's first one to it, plus 128, in 255ths; 0: none. TR_SPREAD 2: of\n"
+    "// the rows' the nearest, of equally near ones that nearest to the eye. A texel stands for the middle of its pixels; twice the\n"
+    "// positions are integers. Steps go outward from there: left and right, up and down, are one step.\n"
     "uniform highp sampler2D tr_see_depth; // of targets\n"
     "uniform highp sampler2D tr_see_mark;  // of targets: strength, 0 where there is none; active\n"
-    "#if TR_SPREAD == 1\n"
-    "uniform highp sampler2D tr_see_rows;\n"
+    "#if TR_SPREAD != 0\n"
+    "uniform highp sampler2D tr_see_rows; // the step before this one's\n"
     "#endif\n"
     "layout(location = 0) out highp vec4 tr_color;\n"
     "\n"
     "#if TR_SPREAD == 0\n"
-    "bool tr_is_target(ivec2 pixel)\n"
+    "void main()\n"
     "{\n"
-    "    return pixel.x >= 0 && pixel.x < int(tr_viewport.z) && texelFetch(tr_see_mark, pixel, 0).r > 0.0;\n"
+    "    ivec2 first = ivec2(int(gl_FragCoord.x) * 8, int(gl_FragCoord.y));\n"
+    "    int bits = 0, count = min(8, int(tr_viewport.z) - first.x);\n"
+    "    for (int i = 0; i < count; ++i)\n"
+    "        bits |= texelFetch(tr_see_mark, first + ivec2(i, 0), 0).r > 0.0 ? 1 << i : 0;\n"
+    "    tr_color = vec4(float(bits) * (1.0 / 255.0));\n"
+    "}\n"
+    "#elif TR_SPREAD == 1\n"
+    "// The highest bit of a number above 0, by the exponent of a float.\n"
+    "int tr_highest(int bits)\n"
+    "{\n"
+    "    return (floatBitsToInt(float(bits)) >> 23) - 127;\n"
+    "}\n"
+    "\n"
+    "int tr_bits(int block, int y)\n"
+    "{\n"
+    "    return int(texelFetch(tr_see_rows, ivec2(block, y), 0).r * 255.0 + 0.5);\n"
     "}\n"
     "\n"
     "void main()\n"
     "{\n"
-    "    int divisor = tr_see_grid.x, steps = tr_see_grid.w + 2 * divisor, first = int(gl_FragCoord.x) * divisor, found = 0;\n"
-    "    ivec2 left = ivec2(first + (divisor - 1) / 2, int(gl_FragCoord.y)), right = ivec2(first + divisor / 2, left.y);\n"
-    "    for (int i = 0; i <= steps; ++i) {\n"
-    "        bool at_left = tr_is_target(left), at_right = tr_is_target(right);\n"
-    "        if (at_left && at_right)\n"
-    "            at_left = TR_BEHIND(texelFetch(tr_see_depth, right, 0).r, texelFetch(tr_see_depth, left, 0).r);\n"
-    "        if (at_left || at_right) {\n"
-    "            found = (at_left ? left.x : right.x) - first + 128;\n"
+    "    int divisor = tr_see_grid.x, reach = tr_see_grid.w + 2 * divisor, first = int(gl_FragCoord.x) * divisor;\n"
+    "    int y = int(gl_FragCoord.y), from_left = first + (divisor - 1) / 2, from_right = first + divisor / 2;\n"
+    "    int left = -0x10000, right = 0x10000;\n"
+    "    int lowest = max(from_left - reach, 0), highest = min(from_right + reach, int(tr_viewport.z) - 1);\n"
+    "    for (int block = from_left >> 3, mask = (2 << (from_left & 7)) - 1; block * 8 + 7 >= lowest; --block, mask = 255) {\n"
+    "        int bits = tr_bits(block, y) & mask;\n"
+    "        if (bits != 0) {\n"
+    "            left = block * 8 + tr_highest(bits);\n"
     "            break;\n"
     "        }\n"
-    "        --left.x;\n"
-    "        ++right.x;\n"
     "    }\n"
+    "    for (int block = from_right >> 3, mask = 255 << (from_right & 7); block * 8 <= highest; ++block, mask = 255) {\n"
+    "        int bits = tr_bits(block, y) & mask;\n"
+    "        if (bits != 0) {\n"
+    "            right = block * 8 + tr_highest(bits & -bits);\n"
+    "            break;\n"
+    "        }\n"
+    "    }\n"
+    "    int to_left = from_left - left, to_right = right - from_right;\n"
+    "    bool at_left = to_left < to_right;\n"
+    "    if (to_left == to_right && to_left <= reach)\n"
+    "        at_left = TR_BEHIND(texelFetch(tr_see_depth, ivec2(right, y), 0).r, texelFetch(tr_see_depth, ivec2(left, y), 0).r);\n"
+    "    int found = min(to_left, to_right) <= reach ? (at_left ? left : right) - first + 128 : 0;\n"
     "    tr_color = vec4(float(found) * (1.0 / 255.0));\n"
     "}\n"
     "#else\n"
@@ -1820,7 +1932,8 @@ static const char *const tr_i_shader_see_spread_frag[] = {
     "                nearest = pixel;\n"
     "            }\n"
     "        }\n"
-    "    }\n"
+    "    }\n",
+    "#line 86\n"
     "    tr_color = vec4(1.0, 0.0, 0.0, 0.0);\n"
     "    gl_FragDepth = TR_CLEAR_DEPTH;\n"
     "    if (nearest.x < 0)\n"
@@ -1835,7 +1948,7 @@ static const char *const tr_i_shader_see_tile_vert[] = {
     "// For: transparency.h\n"
     "// Six vertices a tile: passes of dynamic transparency cover the cells that have masks, and no more.\n"
     "//\n"
-    "// TR_COARSE_X, TR_COARSE_Y: 1 where the texture has a texel for tr_see_grid.x pixels.\n"
+    "// TR_COARSE_X, TR_COARSE_Y: 1 where the texture has a texel for tr_see_grid.x pixels; 2: for eight.\n"
     "void main()\n"
     "{\n"
     "    int tile = gl_VertexID / 6, corner = gl_VertexID - 6 * tile, divisor = tr_see_grid.x;\n"
@@ -1845,13 +1958,542 @@ static const char *const tr_i_shader_see_tile_vert[] = {
     "    bool right = corner == 1 || corner == 2 || corner == 4, high = corner == 2 || corner == 4 || corner == 5;\n"
     "    highp uint x = (box >> (right ? 16 : 0)) & 255u, y = (box >> (high ? 24 : 8)) & 255u;\n"
     "    ivec2 size = ivec2(tr_viewport.zw);\n"
-    "#if TR_COARSE_X\n"
+    "#if TR_COARSE_X == 2\n"
+    "    size.x = (size.x + 7) / 8 * 8;\n"
+    "#elif TR_COARSE_X == 1\n"
     "    size.x = (size.x + divisor - 1) / divisor * divisor;\n"
     "#endif\n"
-    "#if TR_COARSE_Y\n"
+    "#if TR_COARSE_Y == 1\n"
     "    size.y = (size.y + divisor - 1) / divisor * divisor;\n"
     "#endif\n"
     "    gl_Position = vec4(vec2(ivec2(x, y) * tr_see_grid.y) / vec2(size) * 2.0 - 1.0, 0.0, 1.0);\n"
+    "}\n",
+    0};
+static const char *const tr_i_shader_seq_block_glsl[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// What is the same for all passes of a frame of TR_SEE_EXACT, TR_SEE_SEQUENCE and TR_SEE_PUBLISHED, and the masks of one\n"
+    "// run of passes (std140, written by tr_begin_dynamic).\n"
+    "struct tr_mask {\n"
+    "    highp vec4 box; // x0, y0, x1, y1 in pixels of the viewport, x1 and y1 outside; the mask lies well within\n"
+    "    highp vec4 law; // x: strength, 1 less what has faded, y: 1: opens in lights only, z: importance, w: the target's id\n"
+    "};\n"
+    "layout(std140) uniform tr_frame\n"
+    "{\n"
+    "    highp vec4 tr_light; // of built-in shading, as in frame_block.glsl\n"
+    "    highp vec4 tr_cool;\n"
+    "    highp vec4 tr_warm;\n"
+    "    highp vec4 tr_seq_law;       // x: alpha_target, y: alpha_start, z: width of the gradient in pixels\n"
+    "    highp vec4 tr_seq_background;\n"
+    "    highp ivec4 tr_seq_view;     // the viewport: x, y, width, height\n"
+    "    highp ivec4 tr_seq_numbers;  // x: divisor, y: how far a mask reaches, in pixels, z: layer control, 0: none, w: lights\n"
+    "    highp ivec4 tr_seq_step;     // x: which layer a pass peels or keeps; y: 1: masks multiply,\n"
+    "                                 // z: 1: whole masks cut targets, w: 1: units are painted into a target of our own\n"
+    "    highp ivec4 tr_seq_more;     // x: layers peeled in all, y: 1: the last of them is the end, z: 1: something closes masks,\n"
+    "                                 // w: 1: occluders share a mask\n"
+    "    highp vec4 tr_seq_lights[8]; // x, y, radius, edge in pixels of the viewport\n"
+    "    tr_mask tr_masks[64];\n"
+    "};\n"
+    "\n"
+    "#ifdef TR_REVERSED_Z\n"
+    "#define TR_NEARER(a, b) ((a) > (b))\n"
+    "#define TR_NO_REACH 1.0\n"
+    "#else\n"
+    "#define TR_NEARER(a, b) ((a) < (b))\n"
+    "#define TR_NO_REACH 0.0\n"
+    "#endif\n",
+    0};
+static const char *const tr_i_shader_seq_boxes_vert[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// The boxes of the masks of a run, two triangles each and no vertex buffer. TR_BOXES says whose texels they are counted\n"
+    "// in: 0: pixels, 1: columns of cells by rows of pixels, 2: cells of tr_seq_numbers.x pixels a side. Cells reach one\n"
+    "// further on each side, for those who read the nearest four.\n"
+    "flat out highp int tr_v_mask;\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    int corner = gl_VertexID % 6;\n"
+    "    tr_v_mask = gl_VertexID / 6;\n"
+    "    highp vec4 box = tr_masks[tr_v_mask].box;\n"
+    "    highp vec2 size = vec2(tr_seq_view.zw), cell = vec2(1.0);\n"
+    "#if TR_BOXES >= 1\n"
+    "    cell.x = float(tr_seq_numbers.x);\n"
+    "#endif\n"
+    "#if TR_BOXES == 2\n"
+    "    cell.y = cell.x;\n"
+    "#endif\n"
+    "#if TR_BOXES >= 1\n"
+    "    size = ceil(size / cell);\n"
+    "    box = vec4(floor(box.xy / cell) - step(1.5, cell), ceil(box.zw / cell) + step(1.5, cell));\n"
+    "    box = clamp(box, vec4(0.0), size.xyxy);\n"
+    "#endif\n"
+    "    bvec2 far = bvec2(corner == 1 || corner == 2 || corner == 4, corner == 2 || corner == 4 || corner == 5);\n"
+    "    highp vec2 at = vec2(far.x ? box.z : box.x, far.y ? box.w : box.y);\n"
+    "    gl_Position = vec4(at / size * 2.0 - 1.0, 0.0, 1.0);\n"
+    "}\n",
+    0};
+static const char *const tr_i_shader_seq_codes_glsl[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// Codes of units: what tr_unit_code makes. Bits 0 to 15: id, 16 to 20: TR_UNIT_*, 24 to 31: importance in 255ths.\n"
+    "#define TR_CODE_TARGET (1u << 16)\n"
+    "#define TR_CODE_CLOSES (10u << 16) // impenetrable or backdrop\n"
+    "#define TR_CODE_HOLLOW (4u << 16)\n",
+    0};
+static const char *const tr_i_shader_seq_compose_frag[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// The layers of a pixel, front to back, over the background.\n"
+    "uniform highp sampler2D tr_reach;\n"
+    "uniform highp usampler2DArray tr_chain;\n"
+    "uniform highp sampler2DArray tr_layer_color;\n"
+    "uniform highp sampler2DArray tr_layer_alphas; // of four a slice\n"
+    "layout(location = 0) out highp vec4 tr_color;\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    ivec2 pixel = ivec2(gl_FragCoord.xy) - tr_seq_view.xy;\n"
+    "    highp float left = 1.0;\n"
+    "    highp vec3 sum = vec3(0.0);\n"
+    "    if (texelFetch(tr_reach, pixel, 0).r == TR_NO_REACH)\n"
+    "        discard;\n"
+    "    for (int i = 0; i < tr_seq_more.x; ++i) {\n"
+    "        highp uint code = texelFetch(tr_chain, ivec3(pixel, i), 0).r;\n"
+    "        if ((code & TR_LAYER_NONE) != 0u)\n"
+    "            break;\n"
+    "        highp float alpha = texelFetch(tr_layer_alphas, ivec3(pixel, i >> 2), 0)[i & 3];\n"
+    "        sum += left * alpha * texelFetch(tr_layer_color, ivec3(pixel, i), 0).rgb;\n"
+    "        left *= 1.0 - alpha;\n"
+    "        if ((code & TR_LAYER_LAST) != 0u || left <= 0.0)\n"
+    "            break;\n"
+    "    }\n"
+    "    tr_color = vec4(sum + left * tr_seq_background.rgb, 1.0);\n"
+    "}\n",
+    0};
+static const char *const tr_i_shader_seq_keep_frag[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// After a layer is peeled: whose it is goes where later layers look it up, with whether it ends the pixel.\n"
+    "uniform highp sampler2D tr_reach;\n"
+    "uniform highp usampler2D tr_code;             // of the layer\n"
+    "uniform highp sampler2DArray tr_layer_now;    // its depth\n"
+    "uniform highp sampler2DArray tr_layer_before; // that of the one before\n"
+    "layout(location = 0) out highp uvec4 tr_kept;\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    ivec2 pixel = ivec2(gl_FragCoord.xy);\n"
+    "    int layer = tr_seq_step.x;\n"
+    "    highp float reach = texelFetch(tr_reach, pixel, 0).r, depth = texelFetch(tr_layer_now, ivec3(pixel, layer >> 1), 0).r;\n"
+    "    highp uint code = texelFetch(tr_code, pixel, 0).r;\n"
+    "    if (reach == TR_NO_REACH)\n"
+    "        discard;\n"
+    "    if (depth == TR_CLEAR_DEPTH)\n"
+    "        code = TR_LAYER_LAST | TR_LAYER_NONE;\n"
+    "    else if (!TR_NEARER(depth, reach))\n"
+    "        code |= TR_LAYER_LAST;\n"
+    "    if (layer > 0 && depth == texelFetch(tr_layer_before, ivec3(pixel, (layer - 1) >> 1), 0).r)\n"
+    "        code |= TR_LAYER_COINCIDENT;\n"
+    "    tr_kept = uvec4(code, 0u, 0u, 0u);\n"
+    "}\n",
+    0};
+static const char *const tr_i_shader_seq_layers_glsl[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// Layers of TR_SEE_EXACT: whose each is, front to back. The codes of units, with what is known of the layer in bits that\n"
+    "// those leave free.\n"
+    "#define TR_LAYER_LAST (1u << 21)       // no mask looks through it, or there is nothing\n"
+    "#define TR_LAYER_NONE (1u << 22)       // there is none\n"
+    "#define TR_LAYER_COINCIDENT (1u << 23) // at the same depth as the one before\n"
+    "\n"
+    "// What of an occluder a mask lets be, of a target's importance: an occluder that is a target counts one less.\n"
+    "highp float tr_yields(highp float importance, highp uint code)\n"
+    "{\n"
+    "    highp float occluder = float(code >> 24) * (1.0 / 255.0);\n"
+    "    if ((code & TR_CODE_CLOSES) != 0u)\n"
+    "        return 0.0;\n"
+    "    return clamp(importance - ((code & TR_CODE_TARGET) != 0u ? occluder - 1.0 : occluder), 0.0, 1.0);\n"
+    "}\n",
+    0};
+static const char *const tr_i_shader_seq_mask_frag[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// Adds the masks of a run to those of targets painted before, by GL_MIN or by multiplication. Red: where the target\n"
+    "// itself is not; green: where it is, which alone cuts other targets.\n"
+    "#if TR_TOGETHER\n"
+    "uniform highp sampler2D tr_remaining; // occluders still to be painted, in 255ths\n"
+    "#endif\n"
+    "layout(location = 0) out highp vec4 tr_alphas;\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    ivec2 pixel = ivec2(gl_FragCoord.xy);\n"
+    "    bool own;\n"
+    "    highp float depth, alpha = tr_mask_at(pixel, own, depth);\n"
+    "    if (alpha >= 1.0)\n"
+    "        discard;\n"
+    "#if TR_TOGETHER\n"
+    "    highp vec2 after = texelFetch(tr_remaining, pixel, 0).rg;\n"
+    "    highp float m = floor((own ? after.g : after.r) * 255.0 + 0.5);\n"
+    "    alpha = tr_shared(alpha, tr_seq_numbers.z > 0 ? min(m, float(tr_seq_numbers.z)) : m);\n"
+    "#endif\n"
+    "    alpha = mix(1.0, alpha, tr_masks[tr_v_mask].law.z);\n"
+    "    tr_alphas = own ? vec4(1.0, alpha, 1.0, 1.0) : vec4(alpha, 1.0, 1.0, 1.0);\n"
+    "}\n",
+    0};
+static const char *const tr_i_shader_seq_mask_glsl[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// What the mask of a target asks for at a pixel: Assarsson 2006, rule R2 and figure 2.\n"
+    "uniform highp sampler2D tr_seed;          // depth where the target is, open\n"
+    "uniform highp usampler2D tr_nearest_seed; // of seq_near.frag\n"
+    "flat in highp int tr_v_mask;\n"
+    "\n"
+    "int tr_seed_distance(ivec2 way)\n"
+    "{\n"
+    "#if TR_RINGS\n"
+    "    int rings = max(abs(way.x), abs(way.y));\n"
+    "    return rings * rings;\n"
+    "#else\n"
+    "    return way.x * way.x + way.y * way.y;\n"
+    "#endif\n"
+    "}\n"
+    "\n"
+    "// The square of the distance from a pixel to the nearest pixel of the target, and the depth there; -1: none within reach.\n"
+    "// The target itself is had at full resolution; around it the nearest of what the four cells around have found is taken.\n"
+    "int tr_find_seed(ivec2 pixel, out highp float depth)\n"
+    "{\n"
+    "    int cell = tr_seq_numbers.x, least = -1;\n"
+    "    depth = texelFetch(tr_seed, pixel, 0).r;\n"
+    "    if (depth != TR_CLEAR_DEPTH)\n"
+    "        return 0;\n"
+    "    ivec2 last = (tr_seq_view.zw - 1) / cell;\n"
+    "    ivec2 first = (2 * pixel - (cell - 1) + 2 * cell) / (2 * cell) - 1; // rounded down\n"
+    "    for (int i = 0; i < (cell == 1 ? 1 : 4); ++i) {\n"
+    "        ivec2 at = clamp(first + ivec2(i & 1, i >> 1), ivec2(0), last);\n"
+    "        highp uvec2 found = texelFetch(tr_nearest_seed, at, 0).rg;\n"
+    "        if (found.x == 0u)\n"
+    "            continue;\n"
+    "        ivec2 seed = at * cell + ivec2(found) - 32768;\n"
+    "        int size = tr_seed_distance(seed - pixel);\n"
+    "        highp float there = texelFetch(tr_seed, seed, 0).r;\n"
+    "        if (least >= 0 && (size > least || (size == least && !TR_NEARER(there, depth))))\n"
+    "            continue;\n"
+    "        least = size;\n"
+    "        depth = there;\n"
+    "    }\n"
+    "    return least;\n"
+    "}\n"
+    "\n"
+    "// The strongest of the search lights: 1 within its radius, falling to 0 over its edge.\n"
+    "highp float tr_light_at(highp vec2 place)\n"
+    "{\n"
+    "    highp float most = 0.0;\n"
+    "    for (int i = 0; i < tr_seq_numbers.w; ++i) {\n"
+    "        highp vec4 light = tr_seq_lights[i];\n"
+    "        highp float beyond = length(place - light.xy) - light.z;\n"
+    "        most = max(most, beyond <= 0.0 ? 1.0 : light.w > 0.0 ? clamp(1.0 - beyond / light.w, 0.0, 1.0) : 0.0);\n"
+    "    }\n"
+    "    return most;\n"
+    "}\n"
+    "\n"
+    "// Opacity that what is before the target is to have together; 1: no mask here. own: the target itself is here.\n"
+    "highp float tr_mask_at(ivec2 pixel, out bool own, out highp float depth)\n"
+    "{\n"
+    "    int square = tr_find_seed(pixel, depth);\n"
+    "    own = square == 0;\n"
+    "    if (square < 0)\n"
+    "        return 1.0;\n"
+    "    highp float beyond = max(sqrt(float(square)) - 1.0, 0.0), opacity = 1.0;\n"
+    "    if (own)\n"
+    "        opacity = tr_seq_law.x;\n"
+    "    else if (tr_seq_law.z > 0.0)\n"
+    "        opacity = mix(tr_seq_law.y, 1.0, min(beyond / tr_seq_law.z, 1.0));\n"
+    "    highp float strength = tr_masks[tr_v_mask].law.x;\n"
+    "    if (tr_masks[tr_v_mask].law.y > 0.0)\n"
+    "        strength *= tr_light_at(vec2(pixel) + 0.5);\n"
+    "    return mix(1.0, opacity, strength);\n"
+    "}\n"
+    "\n"
+    "// What each of m layers has so that together they have this opacity (Carnecky 2013, equation 5).\n"
+    "highp float tr_shared(highp float opacity, highp float m)\n"
+    "{\n"
+    "    return m > 0.0 ? 1.0 - pow(1.0 - opacity, 1.0 / m) : opacity;\n"
+    "}\n",
+    0};
+static const char *const tr_i_shader_seq_near_frag[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// The nearest pixel of a target, second half: over the rows above and below, for the middle of each cell. Distances are\n"
+    "// those between centres of pixels, or counted in rings of eight neighbours (TR_RINGS). Of several equally near that\n"
+    "// nearest to the eye. Stored: its column and row, from the cell's first, + 32768; 0: none.\n"
+    "uniform highp usampler2D tr_rows; // of seq_row.frag\n"
+    "uniform highp sampler2D tr_seed;\n"
+    "flat in highp int tr_v_mask;\n"
+    "layout(location = 0) out highp uvec4 tr_nearest;\n"
+    "\n"
+    "int tr_size(ivec2 way)\n"
+    "{\n"
+    "#if TR_RINGS\n"
+    "    return max(abs(way.x), abs(way.y));\n"
+    "#else\n"
+    "    return way.x * way.x + way.y * way.y;\n"
+    "#endif\n"
+    "}\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    highp ivec2 at = ivec2(gl_FragCoord.xy);\n"
+    "    highp ivec4 box = ivec4(tr_masks[tr_v_mask].box);\n"
+    "    int cell = tr_seq_numbers.x, least = 0x7fffffff;\n"
+    "    ivec2 first = at * cell, best = ivec2(0);\n"
+    "    for (int i = 0; i <= 2 * (tr_seq_numbers.y + cell) + 1; ++i) {\n"
+    "        int row = first.y + (i % 2 == 0 ? (cell - 1) / 2 - i / 2 : cell / 2 + i / 2);\n"
+    "        // In halves of pixels, since the middle of a cell may lie between two.\n"
+    "        int dy = 2 * (row - first.y) - (cell - 1);\n"
+    "        if (tr_size(ivec2(0, dy)) > least)\n"
+    "            break;\n"
+    "        if (row < box.y || row >= box.w || (cell % 2 == 1 && i == 1))\n"
+    "            continue;\n"
+    "        int column = int(texelFetch(tr_rows, ivec2(at.x, row), 0).r) - 32768;\n"
+    "        if (column == -32768)\n"
+    "            continue;\n"
+    "        int size = tr_size(ivec2(2 * column - (cell - 1), dy));\n"
+    "        if (size > least)\n"
+    "            continue;\n"
+    "        ivec2 seed = ivec2(first.x + column, row);\n"
+    "        if (size == least && !TR_NEARER(texelFetch(tr_seed, seed, 0).r, texelFetch(tr_seed, best, 0).r))\n"
+    "            continue;\n"
+    "        least = size;\n"
+    "        best = seed;\n"
+    "    }\n"
+    "    tr_nearest = least == 0x7fffffff ? uvec4(0u) : uvec4(uvec2(best - first + 32768), 0u, 0u);\n"
+    "}\n",
+    0};
+static const char *const tr_i_shader_seq_own_frag[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// What was painted into a target of our own, over the host's: colour is premultiplied.\n"
+    "uniform highp sampler2D tr_own_color;\n"
+    "uniform highp sampler2D tr_own_depth;\n"
+    "layout(location = 0) out highp vec4 tr_color;\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    ivec2 pixel = ivec2(gl_FragCoord.xy) - tr_seq_view.xy;\n"
+    "    tr_color = texelFetch(tr_own_color, pixel, 0);\n"
+    "    if (tr_color.a <= 0.0)\n"
+    "        discard;\n"
+    "    gl_FragDepth = texelFetch(tr_own_depth, pixel, 0).r;\n"
+    "}\n",
+    0};
+static const char *const tr_i_shader_seq_reach_frag[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// How far the masks of a pixel look: the farthest of their depths is kept by the depth test.\n"
+    "void main()\n"
+    "{\n"
+    "    bool own;\n"
+    "    highp float depth, opacity = tr_mask_at(ivec2(gl_FragCoord.xy), own, depth);\n"
+    "    if (opacity >= 1.0)\n"
+    "        discard;\n"
+    "    gl_FragDepth = depth;\n"
+    "}\n",
+    0};
+static const char *const tr_i_shader_seq_row_frag[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// The nearest pixel of a target to the left or right, first half of an exact distance: along the row, for the middle of\n"
+    "// each cell. Of two equally near the one nearer to the eye. Stored: its column, from the cell's first, + 32768; 0: none.\n"
+    "uniform highp sampler2D tr_seed; // depth where a target is\n"
+    "flat in highp int tr_v_mask;\n"
+    "layout(location = 0) out highp uvec4 tr_nearest;\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    highp ivec2 at = ivec2(gl_FragCoord.xy);\n"
+    "    highp ivec4 box = ivec4(tr_masks[tr_v_mask].box);\n"
+    "    int cell = tr_seq_numbers.x, first = at.x * cell, low = first + (cell - 1) / 2, high = first + cell / 2;\n"
+    "    tr_nearest = uvec4(0u);\n"
+    "    for (int i = 0; i <= tr_seq_numbers.y + cell; ++i) {\n"
+    "        int left = low - i, right = high + i;\n"
+    "        highp float to_left = left >= box.x && left < box.z ? texelFetch(tr_seed, ivec2(left, at.y), 0).r : TR_CLEAR_DEPTH;\n"
+    "        highp float to_right =\n"
+    "            right >= box.x && right < box.z ? texelFetch(tr_seed, ivec2(right, at.y), 0).r : TR_CLEAR_DEPTH;\n"
+    "        if (to_left == TR_CLEAR_DEPTH && to_right == TR_CLEAR_DEPTH)\n"
+    "            continue;\n"
+    "        tr_nearest.r = uint((TR_NEARER(to_right, to_left) ? right : left) - first + 32768);\n"
+    "        break;\n"
+    "    }\n"
+    "}\n",
+    0};
+static const char *const tr_i_shader_seq_share_frag[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// What the masks of a run leave of the opacity of four layers, over those before by GL_MIN or by multiplication:\n"
+    "// Assarsson 2006, rules R2 to R4, section 3.5. tr_seq_step.x: which four.\n"
+    "uniform highp sampler2DArray tr_layer_even; // depths\n"
+    "uniform highp sampler2DArray tr_layer_odd;\n"
+    "uniform highp usampler2DArray tr_chain;\n"
+    "layout(location = 0) out highp vec4 tr_alphas;\n"
+    "\n"
+    "// How much of a layer yields to the mask; 0: it does not act on it.\n"
+    "highp float tr_acts(ivec2 pixel, int layer, highp uint code, bool own, highp float behind)\n"
+    "{\n"
+    "    highp vec4 law = tr_masks[tr_v_mask].law;\n"
+    "    highp float depth = (layer & 1) == 0 ? texelFetch(tr_layer_even, ivec3(pixel, layer >> 1), 0).r\n"
+    "                                         : texelFetch(tr_layer_odd, ivec3(pixel, layer >> 1), 0).r;\n"
+    "    if ((code & 0xffffu) == uint(law.w) || !TR_NEARER(depth, behind) || ((code & TR_CODE_TARGET) != 0u && !own))\n"
+    "        return 0.0;\n"
+    "    return tr_yields(law.z, code);\n"
+    "}\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    ivec2 pixel = ivec2(gl_FragCoord.xy);\n"
+    "    bool own;\n"
+    "    highp float behind, opacity = tr_mask_at(pixel, own, behind), m = 0.0;\n"
+    "    highp vec4 yields = vec4(0.0);\n"
+    "    if (opacity >= 1.0)\n"
+    "        discard;\n"
+    "    for (int i = 0; i < tr_seq_more.x; ++i) {\n"
+    "        highp uint code = texelFetch(tr_chain, ivec3(pixel, i), 0).r;\n"
+    "        if ((code & TR_LAYER_NONE) != 0u || (tr_seq_numbers.z > 0 && m >= float(tr_seq_numbers.z)))\n"
+    "            break;\n"
+    "        highp float yield_ = tr_acts(pixel, i, code, own, behind);\n"
+    "        if (i >> 2 == tr_seq_step.x)\n"
+    "            yields[i & 3] = yield_;\n"
+    "        m += yield_ > 0.0 ? 1.0 : 0.0;\n"
+    "        if ((code & TR_LAYER_LAST) != 0u)\n"
+    "            break;\n"
+    "    }\n"
+    "    tr_alphas = mix(vec4(1.0), vec4(tr_seq_more.w != 0 ? tr_shared(opacity, m) : opacity), yields);\n"
+    "}\n",
+    0};
+static const char *const tr_i_shader_seq_units_glsl[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// Fragment stage. What a unit's fragment does in the passes of TR_SEE_SEQUENCE, TR_SEE_PUBLISHED and TR_SEE_EXACT.\n"
+    "//\n"
+    "// A host's fragment shader calls tr_see_through(color, code) once, last in main, before it writes color to its output of\n"
+    "// location 0. code: what tr_unit_code makes; see seq_codes.glsl. TR_RULE_SEE_PEEL writes the code to location 1: shaders for\n"
+    "// it have an output at location 0 and no other.\n"
+    "#define TR_RULE_SEE_BLOCK 16 // of the cheaper rungs\n"
+    "#define TR_RULE_SEE_DEPTH 22 // front-most surfaces: depth alone\n"
+    "#define TR_RULE_SEE_SEED 23  // where a target is, open\n"
+    "#define TR_RULE_SEE_BLEND 24 // colour, with the opacity that masks leave\n"
+    "#define TR_RULE_SEE_BLEND_LAYERS 25 // the same under layer control\n"
+    "#define TR_RULE_SEE_COUNT 26 // occluders a pixel\n"
+    "#define TR_RULE_SEE_PEEL 27  // the next layer of those within masks\n"
+    "\n"
+    "// What an occluder keeps of its opacity whatever masks say. A target counts one less than it does as a target.\n"
+    "highp float tr_code_keeps(highp uint code)\n"
+    "{\n"
+    "    if ((code & TR_CODE_CLOSES) != 0u)\n"
+    "        return 1.0;\n"
+    "    return (code & TR_CODE_TARGET) != 0u ? 0.0 : float(code >> 24) * (1.0 / 255.0);\n"
+    "}\n"
+    "\n"
+    "#if TR_RULE == TR_RULE_SEE_SEED\n"
+    "uniform highp sampler2D tr_block_depth; // of what closes masks\n"
+    "#endif\n"
+    "#if TR_RULE == TR_RULE_SEE_BLEND || TR_RULE == TR_RULE_SEE_BLEND_LAYERS\n"
+    "uniform highp sampler2D tr_mask_alphas; // of seq_mask.frag\n"
+    "#endif\n"
+    "#if TR_RULE == TR_RULE_SEE_BLEND_LAYERS\n"
+    "uniform highp sampler2D tr_remaining; // occluders still to be painted, in 255ths\n"
+    "#endif\n"
+    "#if TR_RULE == TR_RULE_SEE_BLEND || TR_RULE == TR_RULE_SEE_BLEND_LAYERS\n"
+    "highp float tr_opacity_of(highp uint code)\n"
+    "{\n"
+    "    highp float keeps = tr_code_keeps(code);\n"
+    "    ivec2 pixel = ivec2(gl_FragCoord.xy) - (tr_seq_step.w != 0 ? ivec2(0) : tr_seq_view.xy);\n"
+    "    if (keeps >= 1.0)\n"
+    "        return 1.0;\n"
+    "    highp vec2 alphas = texelFetch(tr_mask_alphas, pixel, 0).rg;\n"
+    "#if TR_RULE == TR_RULE_SEE_BLEND_LAYERS\n"
+    "    // As many as are still to come lie nearer to the eye; of solids this one is among them. All of a hollow one's count as\n"
+    "    // one.\n"
+    "    highp vec2 nearer = texelFetch(tr_remaining, pixel, 0).rg * 255.0 + ((code & TR_CODE_HOLLOW) != 0u ? 0.5 : -0.5);\n"
+    "    alphas = mix(alphas, vec2(1.0), greaterThan(nearer, vec2(float(tr_seq_numbers.z))));\n"
+    "#endif\n"
+    "    if ((code & TR_CODE_TARGET) != 0u && tr_seq_step.z == 0)\n"
+    "        alphas.r = 1.0;\n"
+    "    return mix(tr_seq_step.y != 0 ? alphas.r * alphas.g : min(alphas.r, alphas.g), 1.0, keeps);\n"
+    "}\n"
+    "#endif\n"
+    "\n"
+    "#if TR_RULE == TR_RULE_SEE_PEEL\n"
+    "layout(location = 1) out highp uint tr_layer_code;\n"
+    "uniform highp sampler2D tr_reach;             // the farthest that masks look through; TR_NO_REACH: no mask\n"
+    "uniform highp sampler2DArray tr_layer_before; // depth, of this layer's parity less one\n"
+    "uniform highp usampler2DArray tr_chain;       // codes of the layers before\n"
+    "\n"
+    "// Whether a surface may be the next layer: behind or at the last one, of a unit that has none yet. Those of hollow units\n"
+    "// are told apart by their depths.\n"
+    "bool tr_may_be_next(highp uint code, ivec2 pixel, int layer)\n"
+    "{\n"
+    "    highp uint last = texelFetch(tr_chain, ivec3(pixel, layer - 1), 0).r;\n"
+    "    highp float before = texelFetch(tr_layer_before, ivec3(pixel, (layer - 1) >> 1), 0).r;\n"
+    "    bool hollow = (code & TR_CODE_HOLLOW) != 0u, same_depth = gl_FragCoord.z == before;\n"
+    "    if ((last & TR_LAYER_LAST) != 0u || TR_NEARER(gl_FragCoord.z, before))\n"
+    "        return false;\n"
+    "    for (int i = layer - 1; i >= 0 && (!hollow || same_depth); --i) {\n"
+    "        highp uint other = texelFetch(tr_chain, ivec3(pixel, i), 0).r;\n"
+    "        if (((other ^ code) & 0xffffu) == 0u)\n"
+    "            return false;\n"
+    "        same_depth = same_depth && (other & TR_LAYER_COINCIDENT) != 0u;\n"
+    "    }\n"
+    "    return true;\n"
+    "}\n"
+    "\n"
+    "bool tr_peels(highp uint code)\n"
+    "{\n"
+    "    ivec2 pixel = ivec2(gl_FragCoord.xy);\n"
+    "    highp float reach = texelFetch(tr_reach, pixel, 0).r;\n"
+    "    int layer = tr_seq_step.x;\n"
+    "    if (reach == TR_NO_REACH || ((code & TR_CODE_HOLLOW) != 0u && !gl_FrontFacing))\n",
+    "#line 82\n"
+    "        return false;\n"
+    "    // The last place is kept for what ends the pixel, so that layers that are too many lose no target.\n"
+    "    if (tr_seq_more.y != 0 && layer == tr_seq_more.x - 1 && TR_NEARER(gl_FragCoord.z, reach) &&\n"
+    "        (code & TR_CODE_CLOSES) == 0u)\n"
+    "        return false;\n"
+    "    return layer == 0 || tr_may_be_next(code, pixel, layer);\n"
+    "}\n"
+    "#endif\n"
+    "\n"
+    "void tr_see_through(inout highp vec4 color, highp uint code)\n"
+    "{\n"
+    "#if TR_RULE == TR_RULE_SEE_SEED\n"
+    "    if (tr_seq_more.z != 0 && TR_NEARER(texelFetch(tr_block_depth, ivec2(gl_FragCoord.xy), 0).r, gl_FragCoord.z))\n"
+    "        discard;\n"
+    "    gl_FragDepth = gl_FragCoord.z;\n"
+    "#elif TR_RULE == TR_RULE_SEE_PEEL\n"
+    "    // Depths are written as they are compared, so that equality means the same surface.\n"
+    "    if (!tr_peels(code))\n"
+    "        discard;\n"
+    "    tr_layer_code = code & 0xff1fffffu;\n"
+    "    gl_FragDepth = gl_FragCoord.z;\n"
+    "#elif TR_RULE == TR_RULE_SEE_BLEND || TR_RULE == TR_RULE_SEE_BLEND_LAYERS\n"
+    "    color.a = tr_opacity_of(code);\n"
+    "#elif TR_RULE == TR_RULE_SEE_COUNT\n"
+    "    // Red: what a mask acts on beside its target, green: what it acts on where the target is.\n"
+    "    if (tr_code_keeps(code) >= 1.0)\n"
+    "        discard;\n"
+    "    bool beside = (code & TR_CODE_TARGET) == 0u || tr_seq_step.z != 0;\n"
+    "    color = vec4(beside ? 1.0 : 0.0, 1.0, 0.0, 0.0) * (1.0 / 255.0);\n"
+    "#endif\n"
+    "}\n",
+    0};
+static const char *const tr_i_shader_seq_wipe_frag[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// Makes a texture of depths forget what was within the boxes.\n"
+    "void main()\n"
+    "{\n"
+    "    gl_FragDepth = TR_CLEAR_DEPTH;\n"
     "}\n",
     0};
 static const char *const tr_i_shader_surface_frag[] = {
@@ -2232,6 +2874,7 @@ static const char *const tr_i_shader_take_opaque_frag[] = {
 #define TR_I_GL_DRAW_FRAMEBUFFER 0x8CA9u
 #define TR_I_GL_DRAW_FRAMEBUFFER_BINDING 0x8CA6u
 #define TR_I_GL_DYNAMIC_DRAW 0x88E8u
+#define TR_I_GL_EQUAL 0x0202u
 #define TR_I_GL_FILL 0x1B02u
 #define TR_I_GL_FLOAT 0x1406u
 #define TR_I_GL_FRAGMENT_SHADER 0x8B30u
@@ -2241,6 +2884,7 @@ static const char *const tr_i_shader_take_opaque_frag[] = {
 #define TR_I_GL_FRONT_FACE 0x0B46u
 #define TR_I_GL_FRAMEBUFFER_SRGB 0x8DB9u
 #define TR_I_GL_FUNC_ADD 0x8006u
+#define TR_I_GL_FUNC_REVERSE_SUBTRACT 0x800Bu
 #define TR_I_GL_GEQUAL 0x0206u
 #define TR_I_GL_GREATER 0x0204u
 #define TR_I_GL_INVALID_INDEX 0xFFFFFFFFu
@@ -2254,6 +2898,7 @@ static const char *const tr_i_shader_take_opaque_frag[] = {
 #define TR_I_GL_MAX_VIEWPORT_DIMS 0x0D3Au
 #define TR_I_GL_MAX_VIEWPORTS 0x825Bu
 #define TR_I_GL_MAX_UNIFORM_BUFFER_BINDINGS 0x8A2Fu
+#define TR_I_GL_MIN 0x8007u
 #define TR_I_GL_NEAREST 0x2600
 #define TR_I_GL_CLAMP_TO_EDGE 0x812F
 #define TR_I_GL_ONE 1u
@@ -2273,15 +2918,18 @@ static const char *const tr_i_shader_take_opaque_frag[] = {
 #define TR_I_GL_POLYGON_OFFSET_POINT 0x2A01u
 #define TR_I_GL_RASTERIZER_DISCARD 0x8C89u
 #define TR_I_GL_R8 0x8229u
+#define TR_I_GL_R16UI 0x8234u
 #define TR_I_GL_RED 0x1903u
 #define TR_I_GL_READ_FRAMEBUFFER 0x8CA8u
 #define TR_I_GL_READ_FRAMEBUFFER_BINDING 0x8CAAu
 #define TR_I_GL_RGBA 0x1908u
 #define TR_I_GL_RGBA8 0x8058u
 #define TR_I_GL_RGBA32F 0x8814u
+#define TR_I_GL_RGBA16F 0x881Au
 #define TR_I_GL_R32UI 0x8236u
 #define TR_I_GL_RED_INTEGER 0x8D94u
 #define TR_I_GL_RG16UI 0x823Au
+#define TR_I_GL_RG16F 0x822Fu
 #define TR_I_GL_RG_INTEGER 0x8228u
 #define TR_I_GL_UNSIGNED_SHORT 0x1403u
 #define TR_I_GL_UNSIGNED_INT 0x1405u
@@ -2293,6 +2941,7 @@ static const char *const tr_i_shader_take_opaque_frag[] = {
 #define TR_I_GL_SCISSOR_BOX 0x0C10u
 #define TR_I_GL_SCISSOR_TEST 0x0C11u
 #define TR_I_GL_SRC_ALPHA 0x0302u
+#define TR_I_GL_SRC_COLOR 0x0300u
 #define TR_I_GL_ONE_MINUS_SRC_ALPHA 0x0303u
 #define TR_I_GL_RG 0x8227u
 #define TR_I_GL_RG8 0x822Bu
@@ -2499,6 +3148,20 @@ enum {
     TR_I_FBO_COUNT
 };
 
+/* Programs of full-screen passes of sequences. */
+enum {
+    TR_I_SEQ_WIPE,
+    TR_I_SEQ_ROW,
+    TR_I_SEQ_NEAR,                     /* round; in rings */
+    TR_I_SEQ_MASK = TR_I_SEQ_NEAR + 2, /* + 1: in rings, + 2: shared by the occluders */
+    TR_I_SEQ_OVER = TR_I_SEQ_MASK + 4,
+    TR_I_SEQ_DEPTHS, /* of TR_PASS_REACH */
+    TR_I_SEQ_KEEP,
+    TR_I_SEQ_SHARE,
+    TR_I_SEQ_COMPOSE,
+    TR_I_SEQ_PROGRAM_COUNT
+};
+
 /* Built-in programs: one a rule, one that copies depth, and variants of the composition and of lines, which are found by
    a key; see tr_i_key_of. More of these than a plan can need. Then one a rule for each further rung of alpha. */
 #define TR_I_VARIANT_COUNT 24
@@ -2509,7 +3172,8 @@ enum {
     TR_I_PROGRAM_OUTLINE =
         TR_I_PROGRAM_ALPHA + ((int)TR_ALPHA_COUNT - 1) * (int)TR_RULE_COUNT, /* found; jumps; with ids */
     TR_I_PROGRAM_SEE = TR_I_PROGRAM_OUTLINE + 4, /* full-screen ones of dynamic transparency: tr_i_see_source */
-    TR_I_PROGRAM_SPREAD_X = TR_I_PROGRAM_SEE,
+    TR_I_PROGRAM_BITS = TR_I_PROGRAM_SEE,
+    TR_I_PROGRAM_SPREAD_X,
     TR_I_PROGRAM_SPREAD_Y,
     TR_I_PROGRAM_FINISH,
     TR_I_PROGRAM_FINISH_BARE, /* no gradient */
@@ -2517,7 +3181,8 @@ enum {
     TR_I_PROGRAM_COMPOSE_MASK,
     TR_I_PROGRAM_COMPOSE_YIELD,
     TR_I_PROGRAM_QUERY,
-    TR_I_PROGRAM_COUNT
+    TR_I_PROGRAM_SEQUENCE, /* those from TR_I_SEQ_WIPE on */
+    TR_I_PROGRAM_COUNT = TR_I_PROGRAM_SEQUENCE + TR_I_SEQ_PROGRAM_COUNT
 };
 
 typedef struct tr_i_program {
@@ -2577,8 +3242,8 @@ typedef struct tr_i_place {
     float first, last;
 } tr_i_place;
 
-#define TR_I_CELLS 64 /* along each side, at most */
-#define TR_I_MAX_TILES 640
+#define TR_I_CELLS 128 /* along each side, at most */
+#define TR_I_MAX_TILES 2000
 
 /* The screen in cells: a target needs a mask where something that yields lies before it, and only units that meet masks
    are drawn again. Cells in place of rectangles of targets, so that the work does not grow with targets times units. */
@@ -2601,6 +3266,7 @@ typedef struct tr_i_law {
 enum {
     TR_I_SEE_DEPTH,      /* of blocks and targets; then of what shows through masks */
     TR_I_SEE_MARK,       /* of the nearest target: strength, whether it is active, id in two bytes */
+    TR_I_SEE_BITS,       /* eight pixels a texel: which are a target's */
     TR_I_SEE_ROWS,       /* a row of texels each pixel high: where the nearest pixel of a target is in it */
     TR_I_SEE_LOW,        /* the mask's texels: distance, strength, whether it is active */
     TR_I_SEE_LOW_DEPTH,  /* their depth */
@@ -2614,6 +3280,7 @@ enum {
 
 enum {
     TR_I_SEE_FBO_TARGETS,
+    TR_I_SEE_FBO_BITS,
     TR_I_SEE_FBO_ROWS,
     TR_I_SEE_FBO_LOW,
     TR_I_SEE_FBO_MASK,
@@ -2667,6 +3334,114 @@ typedef struct tr_i_see {
     int block_uploaded, in_use; /* in_use: the built-in program of this frame's scene is */
 } tr_i_see;
 
+/* ---- dynamic transparency: what a context keeps of sequences ---- */
+
+typedef struct tr_i_array { /* grows, and never shrinks */
+    void *items;
+    size_t count, capacity;
+} tr_i_array;
+
+/* Where a unit comes when whole objects are painted back to front: Assarsson 2006, section 4. */
+typedef struct tr_i_rank {
+    double depth;             /* of its group's middle, along the view; of what has none TR_I_FARTHEST */
+    uint32_t lowest, id;      /* of ids in its group; its own */
+    uint32_t group, backdrop; /* backdrops come first */
+    uint32_t target;
+    int32_t rank;
+} tr_i_rank;
+#define TR_I_FARTHEST 1.0e300
+
+/* The mask of a target; boxes are x0, y0, x1, y1, the last two outside. */
+typedef struct tr_i_mask {
+    int reach[4], box[4]; /* where it may be; what textures are drawn in for it */
+    uint32_t unit, run;   /* run: of masks that are drawn together */
+    float strength, active, importance, id;
+} tr_i_mask;
+
+/* What is painted at a time: units of which none covers another on the screen; or masks that do not overlap. */
+typedef struct tr_i_item {
+    uint32_t first, count; /* of the list of units, or of the masks */
+    unsigned char masks, hollow;
+} tr_i_item;
+
+typedef struct tr_i_step { /* a pass to come */
+    uint32_t first, count; /* of the list of units, or boxes of a run of masks */
+    uint32_t block;        /* the copy of the uniform block that it reads */
+    uint8_t kind, rule, own, hollow, clear, subtract, layer;
+} tr_i_step;
+
+#define TR_I_RUN 64 /* masks, or units, at most in an item */
+
+/* The uniform block of shaders/seq_block.glsl, std140. */
+typedef struct tr_i_seq_block {
+    float light[4], cool[4], warm[4], law[4], background[4];
+    int32_t view[4], numbers[4], step[4], more[4];
+    float lights[TR_MAX_LIGHTS][4];
+    float masks[TR_I_RUN][8];
+} tr_i_seq_block;
+#define TR_I_SEQ_STRIDE 2560 /* of its copies, one a run or a layer: a multiple of 256 */
+
+#define TR_I_SEQ_LAYERS 16 /* of a pixel, at most */
+
+/* Textures: of pixels, but for ROWS and NEAREST, which have a texel a cell. */
+enum {
+    TR_I_SEQ_SEED,      /* depth where a target of the run is, open */
+    TR_I_SEQ_ROWS,      /* the nearest pixel of it in each row */
+    TR_I_SEQ_NEAREST,   /* the nearest of all */
+    TR_I_SEQ_BLOCK,     /* depth of what closes masks */
+    TR_I_SEQ_ALPHAS,    /* the masks so far */
+    TR_I_SEQ_OWN_COLOR, /* a target of our own, where occluders have to be counted */
+    TR_I_SEQ_OWN_DEPTH,
+    TR_I_SEQ_REMAINING, /* occluders still to be painted */
+    TR_I_SEQ_REACH,     /* how far masks look through */
+    TR_I_SEQ_CODE,      /* whose the layer is that is being peeled; layers are arrays from here on */
+    TR_I_SEQ_EVEN,      /* depth of layers 0, 2, 4, ... */
+    TR_I_SEQ_ODD,
+    TR_I_SEQ_CHAIN,        /* whose they are */
+    TR_I_SEQ_LAYER_COLOR,  /* their colours */
+    TR_I_SEQ_LAYER_ALPHAS, /* of four a slice */
+    TR_I_SEQ_TEXTURE_COUNT
+};
+
+enum {
+    TR_I_SEQ_FBO_SEED,
+    TR_I_SEQ_FBO_ROWS,
+    TR_I_SEQ_FBO_NEAREST,
+    TR_I_SEQ_FBO_BLOCK,
+    TR_I_SEQ_FBO_ALPHAS,
+    TR_I_SEQ_FBO_OWN,
+    TR_I_SEQ_FBO_COUNTS,
+    TR_I_SEQ_FBO_REACH,
+    TR_I_SEQ_FBO_PEEL,
+    TR_I_SEQ_FBO_KEEP = TR_I_SEQ_FBO_PEEL + TR_I_SEQ_LAYERS,
+    TR_I_SEQ_FBO_SHARE = TR_I_SEQ_FBO_KEEP + TR_I_SEQ_LAYERS,
+    TR_I_SEQ_FBO_COUNT = TR_I_SEQ_FBO_SHARE + TR_I_SEQ_LAYERS / 4
+};
+
+typedef struct tr_i_sequence {
+    tr_i_array ranks, by_group, painted; /* of all units */
+    tr_i_array tied;                     /* of all units: who is in front where depths are the same */
+    tr_i_array list, scene;              /* of units, as passes draw them */
+    tr_i_array masks, items, steps, blocks;
+    tr_i_step lost; /* where a step goes that there is no memory for */
+    size_t step;
+    uint32_t pending; /* masks from this one on are of targets painted already, and not yet drawn */
+    int open;         /* 1: the last item may still take units */
+    int grow, reach;  /* pixels around a target that its mask's textures cover; that its mask covers */
+    int no_memory;
+    int counted, published, product, each, layers; /* of this frame */
+    int extent[4], wanted[4];                      /* width, height, divisor, layers: of the textures; of this frame */
+    int light, made_for_light;                     /* 1: colours are light, the target encodes them */
+    int has_block, exact, whole, layer_bound,
+        peeled; /* peeled: layers; whole: the last of them is the end of the pixel */
+    uint32_t runs;
+    int bounds[4];  /* of all masks: x0, y0, x1, y1 */
+    int eight_bits; /* 1: float textures cannot be drawn into */
+    int active;     /* this frame is of one */
+    tr_i_u textures[TR_I_SEQ_TEXTURE_COUNT], fbos[TR_I_SEQ_FBO_COUNT], buffer;
+    size_t buffer_size;
+} tr_i_sequence;
+
 #define TR_I_MAX_STRINGS 48
 
 struct tr_context {
@@ -2698,6 +3473,7 @@ struct tr_context {
     int next_pass; /* of the plan */
     int in_frame;
     tr_i_see see;
+    tr_i_sequence seq;
 };
 
 /* ---- text without stdio ----------------------------------------------------------------------------------------- */
@@ -2769,14 +3545,19 @@ TR_I_API const char *tr_result_string(tr_result result) {
 }
 
 TR_I_API const char *tr_pass_kind_name(tr_pass_kind kind) {
-    static const char *const names[] = {"front",        "peel",        "layer",
-                                        "limit",        "opaque",      "copy depth",
-                                        "opaque lines", "compose",     "transparent lines",
-                                        "hidden lines", "outer lines", "take opaque",
-                                        "block",        "targets",     "spread x",
-                                        "spread y",     "finish",      "prime",
-                                        "scene",        "behind",      "yield",
-                                        "compose mask", "query",       "hides"};
+    static const char *const names[] = {"front",        "peel",         "layer",
+                                        "limit",        "opaque",       "copy depth",
+                                        "opaque lines", "compose",      "transparent lines",
+                                        "hidden lines", "outer lines",  "take opaque",
+                                        "block",        "targets",      "bits",
+                                        "spread x",     "spread y",     "finish",
+                                        "prime",        "scene",        "behind",
+                                        "yield",        "compose mask", "query",
+                                        "hides",        "wipe",         "seeds",
+                                        "rows",         "nearest",      "masks",
+                                        "paint depth",  "paint",        "count",
+                                        "paint over",   "reach",        "peel units",
+                                        "keep",         "share",        "compose layers"};
     return (unsigned)kind < (unsigned)TR_PASS_KIND_COUNT ? names[kind] : "unknown pass";
 }
 
@@ -3296,6 +4077,23 @@ static int tr_i_side_of_eye(const double m[16], const tr_unit *unit) {
     return w > r ? 1 : w < -r ? -1 : 0;
 }
 
+/* Whether a sphere lies wholly outside of one of the four planes at the sides of the view, which all go through the eye, or
+   along the view: one beside the eye has no rectangle that says so. */
+static int tr_i_is_beside(const double m[16], const tr_unit *unit) {
+    int plane, i;
+    for (plane = 0; plane < 4; ++plane) {
+        double sign = plane & 1 ? -1.0 : 1.0, size = 0, at = m[15] + sign * m[12 + plane / 2];
+        for (i = 0; i < 3; ++i) {
+            double c = m[4 * i + 3] + sign * m[4 * i + plane / 2];
+            at += c * (double)unit->center[i];
+            size += c * c;
+        }
+        if (at < -(double)unit->radius * sqrt(size))
+            return 1;
+    }
+    return 0;
+}
+
 /* From clip coordinates -1 ... 1 to pixels, outward; 0 if none is left. */
 static int tr_i_pixel_span(const double span[2], int size, int out[2]) {
     double low = floor((span[0] + 1.0) * 0.5 * (double)size), high = ceil((span[1] + 1.0) * 0.5 * (double)size);
@@ -3312,7 +4110,7 @@ static int tr_i_unit_bounds(const tr_unit *unit, const double m[16], int width, 
     int side = 0, across[2], up[2];
     if (tr_i_is_bounded(unit)) {
         side = tr_i_side_of_eye(m, unit);
-        if (side < 0)
+        if (side < 0 || tr_i_is_beside(m, unit))
             return 0;
         if (side > 0 && !(tr_i_sphere_span(m, 0, unit, x) && tr_i_sphere_span(m, 1, unit, y))) {
             x[0] = y[0] = -1.0;
@@ -3500,7 +4298,7 @@ static int tr_i_is_lit(const tr_dynamic *dynamic, const tr_i_place *place, int b
 
 /* Whether a target in view has a mask at all. */
 static int tr_i_opens(const tr_dynamic *dynamic, const tr_unit *unit, const tr_i_place *place, int margin) {
-    return place->x1 != 0 && tr_i_strength_of(unit) > 0.0f &&
+    return place->x1 != 0 && tr_unit_code(unit) >> 24 != 0 && /* less than a step: none */
            (!(unit->flags & TR_UNIT_ACTIVE) || tr_i_is_lit(dynamic, place, margin));
 }
 
@@ -3612,6 +4410,7 @@ static void tr_i_plan_masks(tr_i_see *see, const tr_dynamic *dynamic) {
     tr_i_add_see_pass(plan, TR_PASS_TARGETS, TR_RULE_SEE_TARGET, counts[TR_I_UNITS_TARGETS],
                       "the nearest target at each pixel");
     if (see->law.reach) {
+        tr_i_add_see_pass(plan, TR_PASS_BITS, TR_RULE_SEE_PLAIN, 0, "pixels of targets, eight a texel");
         tr_i_add_see_pass(plan, TR_PASS_SPREAD_X, TR_RULE_SEE_PLAIN, 0, "the nearest pixel of a target in each row");
         tr_i_add_see_pass(plan, TR_PASS_SPREAD_Y, TR_RULE_SEE_PLAIN, 0, "of these the nearest: distance and depth");
     }
@@ -3765,6 +4564,635 @@ TR_I_API size_t tr_see_plan_print(const tr_see_plan *plan, char *string, size_t 
     return text.length;
 }
 
+/* ---- dynamic transparency: the order of painting ---- */
+
+typedef int (*tr_i_before)(const tr_i_rank *ranks, uint32_t a, uint32_t b);
+
+/* By groups, so that members stand together; units on their own as they come. */
+static int tr_i_before_in_groups(const tr_i_rank *ranks, uint32_t a, uint32_t b) {
+    return ranks[a].group != ranks[b].group ? ranks[a].group < ranks[b].group : a < b;
+}
+
+/* Farthest first; of groups equally far that with the lowest id is painted last, and so are ids within a rank. */
+static int tr_i_before_in_painting(const tr_i_rank *ranks, uint32_t a, uint32_t b) {
+    const tr_i_rank *p = &ranks[a], *q = &ranks[b];
+    if (p->backdrop != q->backdrop)
+        return p->backdrop > q->backdrop;
+    if (p->depth != q->depth)
+        return p->depth > q->depth;
+    if (p->lowest != q->lowest)
+        return p->lowest > q->lowest;
+    if (p->rank != q->rank)
+        return p->rank < q->rank;
+    return p->id != q->id ? p->id > q->id : a > b;
+}
+
+/* Nearest to the eye first, where depths are the same: targets, so that nothing coincident hides them; of a group the higher
+   rank; the lower id. */
+static int tr_i_before_in_ties(const tr_i_rank *ranks, uint32_t a, uint32_t b) {
+    const tr_i_rank *p = &ranks[a], *q = &ranks[b];
+    if (p->target != q->target)
+        return p->target > q->target;
+    if (p->lowest != q->lowest)
+        return p->lowest < q->lowest;
+    if (p->rank != q->rank)
+        return p->rank > q->rank;
+    return p->id != q->id ? p->id < q->id : a < b;
+}
+
+/* Sorting by insertion, as long as that takes few moves: 0 when it took too many. */
+static int tr_i_insert_all(const tr_i_rank *ranks, tr_i_before before, uint32_t *order, size_t count) {
+    size_t moves = 0, i, at;
+    for (i = 1; i < count; ++i) {
+        uint32_t item = order[i];
+        for (at = i; at > 0 && before(ranks, item, order[at - 1]); --at)
+            order[at] = order[at - 1];
+        order[at] = item;
+        moves += i - at;
+        if (moves > 16 * count)
+            return 0;
+    }
+    return 1;
+}
+
+static void tr_i_sift_down(const tr_i_rank *ranks, tr_i_before before, uint32_t *heap, size_t root, size_t count) {
+    uint32_t item = heap[root];
+    size_t child;
+    for (; (child = 2 * root + 1) < count; root = child) {
+        if (child + 1 < count && before(ranks, heap[child], heap[child + 1]))
+            ++child;
+        if (!before(ranks, item, heap[child]))
+            break;
+        heap[root] = heap[child];
+    }
+    heap[root] = item;
+}
+
+/* From the order of the frame before there is little to do; where there is much, by a heap. Both orders are total, so that
+   either way the result is one and the same. */
+static void tr_i_sort_coherently(const tr_i_rank *ranks, tr_i_before before, uint32_t *order, size_t count) {
+    size_t i;
+    if (tr_i_insert_all(ranks, before, order, count))
+        return;
+    for (i = count / 2; i-- > 0;)
+        tr_i_sift_down(ranks, before, order, i, count);
+    for (i = count; i-- > 1;) {
+        uint32_t top = order[0];
+        order[0] = order[i];
+        order[i] = top;
+        tr_i_sift_down(ranks, before, order, 0, i);
+    }
+}
+
+/* The distance of a unit's middle from the eye along the view. */
+static double tr_i_middle(const float view[16], const tr_unit *unit) {
+    double depth = -(double)view[14];
+    int r;
+    for (r = 0; r < 3; ++r)
+        depth -= (double)view[4 * r + 2] * (double)unit->center[r];
+    return fabs(depth) < TR_I_FARTHEST ? depth : TR_I_FARTHEST; /* NaN compares false */
+}
+
+static void tr_i_rank_unit(tr_i_rank *rank, const float view[16], const tr_unit *unit) {
+    rank->depth = tr_i_middle(view, unit);
+    rank->lowest = rank->id = unit->id;
+    rank->group = unit->group;
+    rank->backdrop = (unit->flags & TR_UNIT_BACKDROP) != 0;
+    rank->rank = unit->rank;
+    rank->target = unit->flags & TR_UNIT_TARGET;
+}
+
+/* Gives members of a group the mean of their middles, of those that have one, and the lowest id. */
+static void tr_i_join_groups(tr_i_rank *ranks, const uint32_t *order, size_t count) {
+    size_t first, end, i;
+    for (first = 0; first < count; first = end) {
+        uint32_t group = ranks[order[first]].group, lowest = UINT32_MAX;
+        double sum = 0, members = 0;
+        for (end = first; end < count && ranks[order[end]].group == group && (group != 0 || end == first); ++end) {
+            const tr_i_rank *rank = &ranks[order[end]];
+            lowest = rank->id < lowest ? rank->id : lowest;
+            if (rank->depth < TR_I_FARTHEST) {
+                sum += rank->depth;
+                members += 1;
+            }
+        }
+        for (i = first; i < end; ++i) {
+            ranks[order[i]].lowest = lowest;
+            ranks[order[i]].depth = members > 0 ? sum / members : TR_I_FARTHEST;
+        }
+    }
+}
+
+/* ---- dynamic transparency: sequences of whole objects ---- */
+
+/* Room for one more; NULL without memory. */
+static void *tr_i_push(tr_context *tr, tr_i_array *array, size_t size) {
+    if (array->count == array->capacity) {
+        size_t capacity = array->capacity + array->capacity / 2 + 64;
+        void *items = capacity > SIZE_MAX / size ? 0 : tr->desc.alloc_fn(capacity * size, tr->desc.alloc_user);
+        if (!items)
+            return 0;
+        if (array->items) {
+            memcpy(items, array->items, array->count * size);
+            tr->desc.free_fn(array->items, tr->desc.alloc_user);
+        }
+        array->items = items;
+        array->capacity = capacity;
+    }
+    return (char *)array->items + size * array->count++;
+}
+
+static int tr_i_boxes_meet(const int a[4], const int b[4]) {
+    return a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3];
+}
+
+static void tr_i_grow_box(const int box[4], int by, int width, int height, int out[4]) {
+    out[0] = box[0] > by ? box[0] - by : 0;
+    out[1] = box[1] > by ? box[1] - by : 0;
+    out[2] = box[2] < width - by ? box[2] + by : width;
+    out[3] = box[3] < height - by ? box[3] + by : height;
+}
+
+/* Orders of as many units as in the frame before are good to start from. */
+static int tr_i_fit_orders(tr_context *tr, tr_i_sequence *seq, size_t count) {
+    size_t i;
+    if (seq->painted.count == count && seq->ranks.count == count)
+        return 1;
+    seq->ranks.count = seq->by_group.count = seq->painted.count = seq->tied.count = 0;
+    for (i = 0; i < count; ++i) {
+        uint32_t *a = (uint32_t *)tr_i_push(tr, &seq->by_group, sizeof *a);
+        uint32_t *b = (uint32_t *)tr_i_push(tr, &seq->painted, sizeof *b);
+        uint32_t *c = (uint32_t *)tr_i_push(tr, &seq->tied, sizeof *c);
+        if (!a || !b || !c || !tr_i_push(tr, &seq->ranks, sizeof(tr_i_rank)))
+            return 0;
+        *a = *b = *c = (uint32_t)i;
+    }
+    return 1;
+}
+
+static int tr_i_order_units(tr_context *tr, tr_i_sequence *seq, const tr_dynamic *dynamic) {
+    tr_i_rank *ranks;
+    size_t i, count = dynamic->unit_count;
+    if (!tr_i_fit_orders(tr, seq, count))
+        return 0;
+    ranks = (tr_i_rank *)seq->ranks.items;
+    for (i = 0; i < count; ++i) {
+        tr_unit unit = tr_i_unit_at(dynamic, i);
+        tr_i_rank_unit(&ranks[i], dynamic->view, &unit);
+    }
+    tr_i_sort_coherently(ranks, tr_i_before_in_groups, (uint32_t *)seq->by_group.items, count);
+    tr_i_join_groups(ranks, (const uint32_t *)seq->by_group.items, count);
+    if (seq->exact)
+        tr_i_sort_coherently(ranks, tr_i_before_in_ties, (uint32_t *)seq->tied.items, count);
+    else
+        tr_i_sort_coherently(ranks, tr_i_before_in_painting, (uint32_t *)seq->painted.items, count);
+    return 1;
+}
+
+/* What of the viewport a unit may cover; 0: nothing. */
+static int tr_i_box_of(const tr_i_place *places, size_t unit, int box[4]) {
+    box[0] = places[unit].x0;
+    box[1] = places[unit].y0;
+    box[2] = places[unit].x1;
+    box[3] = places[unit].y1;
+    return box[2] > box[0];
+}
+
+/* Whether any mask from the first-th on may reach into a box. */
+static int tr_i_meets_masks(const tr_i_sequence *seq, size_t first, const int box[4]) {
+    const tr_i_mask *masks = (const tr_i_mask *)seq->masks.items;
+    size_t i;
+    for (i = first; i < seq->masks.count; ++i)
+        if (tr_i_boxes_meet(masks[i].reach, box))
+            return 1;
+    return 0;
+}
+
+static void tr_i_list_unit(tr_context *tr, tr_i_sequence *seq, tr_i_array *list, uint32_t unit) {
+    uint32_t *at = (uint32_t *)tr_i_push(tr, list, sizeof *at);
+    if (at)
+        *at = unit;
+    else
+        seq->no_memory = 1;
+}
+
+static tr_i_item *tr_i_add_item(tr_context *tr, tr_i_sequence *seq, uint32_t first, uint32_t count) {
+    tr_i_item *item = (tr_i_item *)tr_i_push(tr, &seq->items, sizeof *item);
+    seq->open = 0;
+    if (!item) {
+        seq->no_memory = 1;
+        return 0;
+    }
+    memset(item, 0, sizeof *item);
+    item->first = first;
+    item->count = count;
+    return item;
+}
+
+/* The masks of all targets painted so far are drawn now. */
+static void tr_i_flush_masks(tr_context *tr, tr_i_sequence *seq) {
+    uint32_t count = (uint32_t)seq->masks.count - seq->pending;
+    tr_i_item *item = count ? tr_i_add_item(tr, seq, seq->pending, count) : 0;
+    if (item)
+        item->masks = 1;
+    seq->pending = (uint32_t)seq->masks.count;
+}
+
+/* Whether a unit may be painted along with those of the last item: nothing of one may cover anything of another. */
+static int tr_i_joins_item(const tr_i_sequence *seq, const tr_i_place *places, const int box[4], int hollow) {
+    const tr_i_item *item = (const tr_i_item *)seq->items.items + seq->items.count - 1;
+    const uint32_t *list = (const uint32_t *)seq->list.items;
+    uint32_t i;
+    int other[4];
+    if (!seq->open || item->hollow != hollow || item->count == TR_I_RUN)
+        return 0;
+    for (i = 0; i < item->count; ++i)
+        if (tr_i_box_of(places, list[item->first + i], other) && tr_i_boxes_meet(other, box))
+            return 0;
+    return 1;
+}
+
+/* Paints a unit that masks may make transparent. */
+static void tr_i_paint(tr_context *tr, tr_i_sequence *seq, const tr_i_place *places, uint32_t unit, int hollow,
+                       const int box[4]) {
+    if (tr_i_joins_item(seq, places, box, hollow)) {
+        ++((tr_i_item *)seq->items.items + seq->items.count - 1)->count;
+    } else {
+        tr_i_item *item = tr_i_add_item(tr, seq, (uint32_t)seq->list.count, 1);
+        if (item)
+            item->hollow = (unsigned char)hollow;
+        seq->open = item != 0;
+    }
+    tr_i_list_unit(tr, seq, &seq->list, unit);
+}
+
+static tr_i_mask *tr_i_push_mask(tr_context *tr, tr_i_sequence *seq, const tr_unit *unit, uint32_t index,
+                                 const int core[4], const int size[2]) {
+    tr_i_mask *mask = (tr_i_mask *)tr_i_push(tr, &seq->masks, sizeof *mask);
+    if (!mask) {
+        seq->no_memory = 1;
+        return 0;
+    }
+    memset(mask, 0, sizeof *mask);
+    mask->unit = index;
+    mask->strength = 1.0f - tr_i_fade_of(unit);
+    mask->importance = tr_i_importance_of(unit);
+    mask->active = unit->flags & TR_UNIT_ACTIVE ? 1.0f : 0.0f;
+    mask->id = (float)unit->id;
+    tr_i_grow_box(core, seq->reach, size[0], size[1], mask->reach);
+    tr_i_grow_box(core, seq->grow, size[0], size[1], mask->box);
+    return mask;
+}
+
+/* A target has been painted: its mask waits for the first that it may make transparent. Those that wait do not overlap,
+   so that one run of passes draws them all. */
+static void tr_i_add_mask(tr_context *tr, tr_i_sequence *seq, const tr_unit *unit, uint32_t index, const int core[4],
+                          const int size[2]) {
+    const tr_i_mask *masks = (const tr_i_mask *)seq->masks.items;
+    int box[4];
+    size_t i;
+    tr_i_grow_box(core, seq->grow, size[0], size[1], box);
+    for (i = seq->pending; i < seq->masks.count && !tr_i_boxes_meet(masks[i].box, box);)
+        ++i;
+    if (i < seq->masks.count || seq->masks.count - seq->pending == TR_I_RUN)
+        tr_i_flush_masks(tr, seq);
+    tr_i_push_mask(tr, seq, unit, index, core, size);
+}
+
+static int tr_i_seq_yields(const tr_unit *unit) {
+    if (unit->flags & (TR_UNIT_IMPENETRABLE | TR_UNIT_BACKDROP))
+        return 0;
+    return (unit->flags & TR_UNIT_TARGET) || tr_i_importance_of(unit) < 1.0f;
+}
+
+/* Whether a target's mask may act on anything that is painted after it. */
+static int tr_i_is_covered(const tr_i_sequence *seq, const tr_dynamic *dynamic, const tr_i_place *places, size_t at) {
+    const uint32_t *order = (const uint32_t *)seq->painted.items;
+    int core[4], reach[4], box[4];
+    size_t i;
+    tr_i_box_of(places, order[at], core);
+    /* Of the viewport's edges nothing depends here. */
+    tr_i_grow_box(core, seq->reach, 0xffff, 0xffff, reach);
+    for (i = at + 1; i < dynamic->unit_count; ++i) {
+        tr_unit unit;
+        if (!tr_i_box_of(places, order[i], box) || !tr_i_boxes_meet(box, reach))
+            continue;
+        unit = tr_i_unit_at(dynamic, order[i]);
+        if (tr_i_seq_yields(&unit))
+            return 1;
+    }
+    return 0;
+}
+
+/* One unit in the order of painting. What no mask may make transparent is painted with the scene, in any order. */
+static void tr_i_arrange_unit(tr_context *tr, const tr_dynamic *dynamic, size_t at, const int size[2]) {
+    tr_i_sequence *seq = &tr->seq;
+    const tr_i_place *places = tr->see.places;
+    uint32_t index = ((const uint32_t *)seq->painted.items)[at];
+    tr_unit unit = tr_i_unit_at(dynamic, index);
+    int box[4];
+    if (!tr_i_box_of(places, index, box)) {
+        tr_i_list_unit(tr, seq, &seq->scene, index);
+        return;
+    }
+    if (!tr_i_meets_masks(seq, 0, box)) {
+        tr_i_list_unit(tr, seq, &seq->scene, index);
+    } else {
+        if (tr_i_seq_yields(&unit) && tr_i_meets_masks(seq, seq->pending, box))
+            tr_i_flush_masks(tr, seq);
+        tr_i_paint(tr, seq, places, index, (unit.flags & TR_UNIT_HOLLOW) != 0, box);
+    }
+    if ((unit.flags & TR_UNIT_TARGET) && tr_i_opens(dynamic, &unit, &places[index], seq->reach) &&
+        tr_i_is_covered(seq, dynamic, places, at))
+        tr_i_add_mask(tr, seq, &unit, index, box, size);
+}
+
+/* Who is painted when, and which masks are drawn when. */
+static void tr_i_arrange_units(tr_context *tr, const tr_dynamic *dynamic, const int size[2]) {
+    tr_i_sequence *seq = &tr->seq;
+    size_t at;
+    seq->list.count = seq->scene.count = seq->masks.count = seq->items.count = 0;
+    seq->pending = 0;
+    seq->open = seq->no_memory = 0;
+    for (at = 0; at < dynamic->unit_count; ++at)
+        tr_i_arrange_unit(tr, dynamic, at, size);
+}
+
+/* ---- dynamic transparency: layers within masks ---- */
+
+/* Whether anything that yields may lie before a target, where its mask may be. */
+static int tr_i_is_behind(const tr_i_sequence *seq, const tr_dynamic *dynamic, const tr_i_place *places,
+                          size_t target) {
+    int core[4], reach[4], box[4];
+    size_t i;
+    if (!tr_i_box_of(places, target, core))
+        return 0;
+    tr_i_grow_box(core, seq->reach, 0xffff, 0xffff, reach);
+    for (i = 0; i < dynamic->unit_count; ++i) {
+        tr_unit unit;
+        if (i == target || !tr_i_box_of(places, i, box) || !tr_i_boxes_meet(box, reach) ||
+            !(places[i].first < places[target].last))
+            continue;
+        unit = tr_i_unit_at(dynamic, i);
+        if (tr_i_seq_yields(&unit))
+            return 1;
+    }
+    return 0;
+}
+
+/* The first run that a mask may be drawn in: with masks that it does not overlap. */
+static uint32_t tr_i_find_run(const tr_i_sequence *seq, size_t index) {
+    const tr_i_mask *masks = (const tr_i_mask *)seq->masks.items;
+    uint32_t run = 0;
+    size_t i, members = 0;
+    for (i = 0; i < index;) {
+        int meets = masks[i].run == run && tr_i_boxes_meet(masks[i].box, masks[index].box);
+        members += masks[i].run == run;
+        ++i;
+        if (meets || members == TR_I_RUN) {
+            ++run;
+            i = members = 0;
+        }
+    }
+    return run;
+}
+
+/* How many layers may lie before the farthest target of a mask or of one that overlaps it: by bounds, so more than do. Of a
+   hollow unit four are allowed for. */
+static int tr_i_bound_layers(const tr_i_sequence *seq, const tr_dynamic *dynamic, const tr_i_place *places,
+                             size_t index, int most) {
+    const tr_i_mask *masks = (const tr_i_mask *)seq->masks.items;
+    float last = places[masks[index].unit].last;
+    int layers = 0, box[4];
+    size_t i;
+    for (i = 0; i < seq->masks.count; ++i)
+        if (places[masks[i].unit].last > last && tr_i_boxes_meet(masks[i].reach, masks[index].reach))
+            last = places[masks[i].unit].last;
+    for (i = 0; i < dynamic->unit_count && layers < most; ++i) {
+        tr_unit unit = tr_i_unit_at(dynamic, i);
+        if (i == masks[index].unit || !tr_i_box_of(places, i, box) || !tr_i_boxes_meet(box, masks[index].reach) ||
+            !(places[i].first < last))
+            continue;
+        layers += unit.flags & TR_UNIT_HOLLOW ? 4 : 1;
+    }
+    return layers;
+}
+
+/* Whether some layer within masks stays opaque for another reason than layer control: occluders behind it are not seen, but
+   share a mask all the same. */
+static int tr_i_some_stay(const tr_i_sequence *seq, const tr_dynamic *dynamic, const tr_i_place *places) {
+    const tr_i_mask *masks = (const tr_i_mask *)seq->masks.items;
+    float least = 1.0f;
+    size_t i, k;
+    int box[4];
+    for (i = 0; i < seq->masks.count; ++i)
+        least = masks[i].importance < least ? masks[i].importance : least;
+    for (i = 0; i < dynamic->unit_count; ++i) {
+        tr_unit unit = tr_i_unit_at(dynamic, i);
+        if (!tr_i_box_of(places, i, box) || !tr_i_meets_masks(seq, 0, box))
+            continue;
+        for (k = 0; k < seq->masks.count && masks[k].unit != i;)
+            ++k;
+        if (k == seq->masks.count && ((unit.flags & (TR_UNIT_TARGET | TR_UNIT_IMPENETRABLE | TR_UNIT_BACKDROP)) ||
+                                      tr_i_importance_of(&unit) >= least))
+            return 1;
+    }
+    return 0;
+}
+
+/* How many layers to peel. The last place is for what ends a pixel; layer control of masks that do not overlap needs no
+   more than it lets through and the one that stays. */
+static void tr_i_count_layers(tr_i_sequence *seq, const tr_dynamic *dynamic, const tr_i_place *places) {
+    int bound = 0, most = 4 * TR_I_SEQ_LAYERS;
+    size_t i;
+    for (i = 0; i < seq->masks.count; ++i) {
+        int layers = tr_i_bound_layers(seq, dynamic, places, i, most);
+        bound = layers > bound ? layers : bound;
+    }
+    seq->layer_bound = bound + 1;
+    seq->peeled = bound < TR_I_SEQ_LAYERS ? bound + 1 : TR_I_SEQ_LAYERS;
+    seq->whole = 1;
+    if (seq->layers > 0 && seq->runs == 1 && seq->layers < seq->peeled &&
+        (seq->each || !tr_i_some_stay(seq, dynamic, places))) {
+        seq->layer_bound = seq->peeled = seq->layers + 1;
+        seq->whole = 0;
+    }
+}
+
+/* Masks of targets that something may lie before, in as few runs as come of taking the first that will do. */
+static void tr_i_arrange_masks(tr_context *tr, const tr_dynamic *dynamic, const int size[2]) {
+    tr_i_sequence *seq = &tr->seq;
+    const tr_i_place *places = tr->see.places;
+    size_t i;
+    seq->list.count = seq->scene.count = seq->masks.count = seq->items.count = 0;
+    seq->no_memory = 0;
+    seq->runs = 0;
+    for (i = 0; i < dynamic->unit_count && !seq->no_memory; ++i) {
+        tr_unit unit = tr_i_unit_at(dynamic, i);
+        tr_i_mask *mask;
+        int core[4];
+        tr_i_list_unit(tr, seq, &seq->scene, (uint32_t)i);
+        if (!(unit.flags & TR_UNIT_TARGET) || !tr_i_opens(dynamic, &unit, &places[i], seq->reach) ||
+            !tr_i_is_behind(seq, dynamic, places, i))
+            continue;
+        tr_i_box_of(places, i, core);
+        mask = tr_i_push_mask(tr, seq, &unit, (uint32_t)i, core, size);
+        if (!mask)
+            return;
+        mask->run = tr_i_find_run(seq, seq->masks.count - 1);
+        seq->runs = mask->run >= seq->runs ? mask->run + 1 : seq->runs;
+    }
+    seq->pending = (uint32_t)seq->masks.count;
+    tr_i_count_layers(seq, dynamic, places);
+}
+
+/* Runs in one piece each. */
+static void tr_i_sort_masks(tr_context *tr) {
+    tr_i_sequence *seq = &tr->seq;
+    tr_i_mask *masks = (tr_i_mask *)seq->masks.items;
+    size_t first = 0, i, end;
+    uint32_t run;
+    for (run = 0; run < seq->runs; ++run) {
+        tr_i_item *item;
+        for (i = end = first; i < seq->masks.count; ++i)
+            if (masks[i].run == run) {
+                tr_i_mask kept = masks[i];
+                masks[i] = masks[end];
+                masks[end++] = kept;
+            }
+        item = tr_i_add_item(tr, seq, (uint32_t)first, (uint32_t)(end - first));
+        if (item)
+            item->masks = 1;
+        first = end;
+    }
+}
+
+/* ---- dynamic transparency: the steps of a sequence ---- */
+
+static tr_i_step *tr_i_add_step(tr_context *tr, tr_pass_kind kind, tr_rule rule, size_t first, size_t count) {
+    tr_i_step *step = (tr_i_step *)tr_i_push(tr, &tr->seq.steps, sizeof *step);
+    if (!step) {
+        tr->seq.no_memory = 1;
+        step = &tr->seq.lost;
+    }
+    memset(step, 0, sizeof *step);
+    step->kind = (uint8_t)kind;
+    step->rule = (uint8_t)rule;
+    step->first = (uint32_t)first;
+    step->count = (uint32_t)count;
+    return step;
+}
+
+/* Lists the units of a class that meet any mask, and returns how many. */
+static size_t tr_i_list_meeting(tr_context *tr, const tr_dynamic *dynamic, const tr_i_array *from, int closing) {
+    tr_i_sequence *seq = &tr->seq;
+    size_t i, first = seq->list.count, count = from->count;
+    for (i = 0; i < count; ++i) {
+        uint32_t index = ((const uint32_t *)from->items)[i];
+        tr_unit unit = tr_i_unit_at(dynamic, index);
+        int box[4];
+        if ((!closing || (unit.flags & (TR_UNIT_IMPENETRABLE | TR_UNIT_BACKDROP))) &&
+            tr_i_box_of(tr->see.places, index, box) && tr_i_meets_masks(seq, 0, box))
+            tr_i_list_unit(tr, seq, &seq->list, index);
+    }
+    return seq->list.count - first;
+}
+
+/* The targets of a run of masks: where they are open, and how far every pixel is from them. */
+static void tr_i_add_distances(tr_context *tr, const tr_i_item *item, uint32_t block, int has_block) {
+    tr_i_sequence *seq = &tr->seq;
+    const tr_i_mask *masks = (const tr_i_mask *)seq->masks.items;
+    tr_rule rule = has_block || seq->exact ? TR_RULE_SEE_SEED : TR_RULE_SEE_DEPTH;
+    size_t units = seq->list.count;
+    uint32_t i;
+    for (i = 0; i < item->count; ++i)
+        tr_i_list_unit(tr, seq, &seq->list, masks[item->first + i].unit);
+    tr_i_add_step(tr, TR_PASS_WIPE, TR_RULE_SEE_PLAIN, 0, item->count)->block = block;
+    tr_i_add_step(tr, TR_PASS_SEEDS, rule, units, item->count);
+    tr_i_add_step(tr, TR_PASS_ROWS, TR_RULE_SEE_PLAIN, 0, item->count)->block = block;
+    tr_i_add_step(tr, TR_PASS_NEAREST, TR_RULE_SEE_PLAIN, 0, item->count)->block = block;
+}
+
+/* And what follows from that. */
+static void tr_i_add_run(tr_context *tr, const tr_i_item *item, uint32_t block, int has_block) {
+    tr_i_step *step;
+    tr_i_add_distances(tr, item, block, has_block);
+    step = tr_i_add_step(tr, TR_PASS_MASKS, TR_RULE_SEE_PLAIN, 0, item->count);
+    step->block = block;
+    step->clear = block == 0;
+}
+
+/* The units of an item: solids by their front-most surfaces, which depth finds first; hollow ones surface by surface, as
+   the host sorts them. */
+static void tr_i_add_painting(tr_context *tr, const tr_i_item *item, int counting) {
+    int counted = tr->seq.counted, hollow = item->hollow, i;
+    for (i = 0; i < 3; ++i) {
+        /* A hollow unit is counted before it is painted: afterwards its own depth would hide all but its nearest. */
+        static const tr_pass_kind solid[3] = {TR_PASS_PAINT_DEPTH, TR_PASS_PAINT, TR_PASS_COUNT};
+        static const tr_pass_kind surfaces[3] = {TR_PASS_PAINT_DEPTH, TR_PASS_COUNT, TR_PASS_PAINT};
+        tr_pass_kind kind = hollow ? surfaces[i] : solid[i];
+        tr_i_step *step;
+        if ((kind == TR_PASS_PAINT_DEPTH && hollow) || (kind == TR_PASS_COUNT && !counted) ||
+            (kind == TR_PASS_PAINT && counting))
+            continue;
+        step = tr_i_add_step(tr, kind,
+                             kind == TR_PASS_PAINT_DEPTH ? TR_RULE_SEE_DEPTH
+                             : kind == TR_PASS_COUNT     ? TR_RULE_SEE_COUNT
+                             : tr->seq.layers            ? TR_RULE_SEE_BLEND_LAYERS
+                                                         : TR_RULE_SEE_BLEND,
+                             item->first, item->count);
+        step->own = (uint8_t)counted;
+        step->hollow = (uint8_t)hollow;
+        step->subtract = (uint8_t)!counting;
+    }
+}
+
+/* What is painted with the scene and may hide what is painted later, into our own depth. */
+static void tr_i_add_priming(tr_context *tr, size_t first, size_t count, int counting) {
+    tr_i_step *step = tr_i_add_step(tr, TR_PASS_PAINT_DEPTH, TR_RULE_SEE_DEPTH, first, count);
+    step->own = 1;
+    step->clear = 1;
+    step->subtract = (uint8_t)!counting;
+}
+
+static void tr_i_add_sweep(tr_context *tr, int counting, int has_block) {
+    tr_i_sequence *seq = &tr->seq;
+    uint32_t block = 0;
+    size_t i;
+    for (i = 0; i < seq->items.count; ++i) {
+        tr_i_item item = ((const tr_i_item *)seq->items.items)[i];
+        if (!item.masks)
+            tr_i_add_painting(tr, &item, counting);
+        else if (!counting) {
+            tr_i_add_run(tr, &item, block, has_block);
+            ++block;
+        }
+    }
+}
+
+/* All passes of TR_SEE_SEQUENCE and TR_SEE_PUBLISHED, from the items. */
+static void tr_i_add_steps(tr_context *tr, const tr_dynamic *dynamic) {
+    tr_i_sequence *seq = &tr->seq;
+    size_t first = seq->list.count, blocks = 0, primed = 0;
+    seq->steps.count = 0;
+    tr_i_add_step(tr, TR_PASS_SCENE, TR_RULE_SEE_PLAIN, 0, seq->scene.count);
+    if (!seq->published)
+        blocks = tr_i_list_meeting(tr, dynamic, &seq->painted, 1);
+    if (blocks)
+        tr_i_add_step(tr, TR_PASS_BLOCK, TR_RULE_SEE_DEPTH, first, blocks)->clear = 1;
+    seq->has_block = blocks != 0;
+    first = seq->list.count;
+    if (seq->counted) {
+        primed = tr_i_list_meeting(tr, dynamic, &seq->scene, 0);
+        tr_i_add_priming(tr, first, primed, 1);
+        tr_i_add_sweep(tr, 1, blocks != 0);
+        tr_i_add_priming(tr, first, primed, 0);
+    }
+    tr_i_add_sweep(tr, 0, blocks != 0);
+    if (seq->counted)
+        tr_i_add_step(tr, TR_PASS_PAINT_OVER, TR_RULE_SEE_PLAIN, 0, 0)->clear = 0;
+}
+
 /* ---- dynamic transparency: bad input ---- */
 
 static const char *tr_i_check_law(const tr_dynamic *dynamic) {
@@ -3787,11 +5215,29 @@ static const char *tr_i_check_law(const tr_dynamic *dynamic) {
     return 0;
 }
 
+/* Rungs that keep masks target by target. */
+static int tr_i_is_sequence(tr_see see) {
+    return see == TR_SEE_EXACT || see == TR_SEE_SEQUENCE || see == TR_SEE_PUBLISHED;
+}
+
+/* TR_SEE_EXACT tells units apart by their ids. */
+static int tr_i_ids_differ(const tr_dynamic *dynamic) {
+    unsigned char seen[(TR_I_MAX_UNIT_ID + 1) / 8];
+    size_t i;
+    memset(seen, 0, sizeof seen);
+    for (i = 0; i < dynamic->unit_count; ++i) {
+        uint32_t id = tr_i_unit_at(dynamic, i).id & TR_I_MAX_UNIT_ID;
+        unsigned char bit = (unsigned char)(1u << (id & 7u));
+        if (seen[id >> 3] & bit)
+            return 0;
+        seen[id >> 3] |= bit;
+    }
+    return 1;
+}
+
 /* What the rung cannot do. */
 static const char *tr_i_check_rung(const tr_dynamic *dynamic) {
     int one_mask = dynamic->see == TR_SEE_ONE_MASK, dither = dynamic->see == TR_SEE_DITHER;
-    if (!one_mask && !dither && dynamic->see != TR_SEE_OFF)
-        return "dynamic.see";
     if (dynamic->shape != TR_MASK_OUTLINE)
         return "dynamic.shape";
     if ((one_mask || dither) && dynamic->combine != TR_MASK_MIN)
@@ -3800,6 +5246,8 @@ static const char *tr_i_check_rung(const tr_dynamic *dynamic) {
         return "dynamic.occluders: TR_SEE_ONE_MASK sees them together";
     if ((one_mask || dither) && dynamic->layers != 0)
         return "dynamic.layers: one mask knows no layers";
+    if (dynamic->query && tr_i_is_sequence(dynamic->see))
+        return "dynamic.query: TR_SEE_ONE_MASK and TR_SEE_DITHER count what is hidden";
     return 0;
 }
 
@@ -4171,6 +5619,7 @@ static void tr_i_mask_colors(const tr_context *tr, int count) {
 /* Makes the context's state what the pass says, whatever it was. */
 static void tr_i_apply(const tr_context *tr, const tr_state *state) {
     const tr_i_gl *gl = &tr->gl;
+    tr_i_u equation = state->blend_equation ? state->blend_equation : TR_I_GL_FUNC_ADD;
     int i;
     for (i = 0; i < TR_I_CAPS_OFF; ++i)
         if (tr_i_has_cap(tr, i))
@@ -4194,11 +5643,13 @@ static void tr_i_apply(const tr_context *tr, const tr_state *state) {
         gl->ClearBufferfv(TR_I_GL_COLOR, 0, state->clear_color_value);
     if (state->clear_depth)
         gl->ClearBufferfv(TR_I_GL_DEPTH, 0, &state->clear_depth_value);
+    if (state->clear_color && !state->color_write)
+        tr_i_mask_colors(tr, 0);
     gl->DepthMask((unsigned char)state->depth_write);
     tr_i_switch(tr, TR_I_GL_DEPTH_TEST, state->depth_test);
     gl->DepthFunc(state->depth_func);
     tr_i_set_blend(tr, state->blend, state->blend_source, state->blend_destination, state->blend_source_alpha,
-                   state->blend_destination_alpha, TR_I_GL_FUNC_ADD, TR_I_GL_FUNC_ADD);
+                   state->blend_destination_alpha, equation, equation);
     tr_i_switch(tr, TR_I_GL_CULL_FACE, state->cull_face != 0);
     gl->CullFace(state->cull_face ? state->cull_face : TR_I_GL_BACK);
     gl->FrontFace(state->front_face);
@@ -4256,7 +5707,8 @@ static int tr_i_wants_color(int rule) {
     return rule == TR_RULE_FRONT_ALONE || rule == TR_RULE_PEEL_ALONE || rule == TR_RULE_LAYER ||
            rule == TR_RULE_LAYER_MARKED || rule == TR_RULE_LAYER_GROUP || rule == TR_RULE_OPAQUE ||
            rule == TR_RULE_OPAQUE_ENTERING || rule == TR_RULE_SEE_PLAIN || rule == TR_RULE_SEE_BEHIND ||
-           rule == TR_RULE_SEE_DITHER;
+           rule == TR_RULE_SEE_DITHER || rule == TR_RULE_SEE_BLEND || rule == TR_RULE_SEE_BLEND_LAYERS ||
+           rule == TR_RULE_SEE_PEEL;
 }
 
 static int tr_i_wants_alpha(int rule) {
@@ -4275,7 +5727,8 @@ static void tr_i_add_rule(tr_i_source *source, int rule) {
         "#define TR_RULE 8\n",  "#define TR_RULE 9\n",  "#define TR_RULE 10\n", "#define TR_RULE 11\n",
         "#define TR_RULE 12\n", "#define TR_RULE 13\n", "#define TR_RULE 14\n", "#define TR_RULE 15\n",
         "#define TR_RULE 16\n", "#define TR_RULE 17\n", "#define TR_RULE 18\n", "#define TR_RULE 19\n",
-        "#define TR_RULE 20\n", "#define TR_RULE 21\n"};
+        "#define TR_RULE 20\n", "#define TR_RULE 21\n", "#define TR_RULE 22\n", "#define TR_RULE 23\n",
+        "#define TR_RULE 24\n", "#define TR_RULE 25\n", "#define TR_RULE 26\n", "#define TR_RULE 27\n"};
     tr_i_add(source, rules[rule]);
     tr_i_add(source, tr_i_wants_color(rule) ? "#define TR_WANTS_COLOR 1\n" : "#define TR_WANTS_COLOR 0\n");
     tr_i_add(source, tr_i_wants_alpha(rule) ? "#define TR_WANTS_ALPHA 1\n" : "#define TR_WANTS_ALPHA 0\n");
@@ -4295,6 +5748,12 @@ static void tr_i_host_source(tr_i_source *source, tr_stage stage, int rule, int 
     if (stage == TR_VERTEX) {
         tr_i_add_chunks(source, tr_i_shader_surface_vertex_glsl);
         tr_i_add_chunks(source, tr_i_shader_alpha_law_glsl);
+    } else if (rule >= TR_RULE_SEE_DEPTH) {
+        tr_i_add_chunks(source, tr_i_shader_seq_block_glsl);
+        tr_i_add_chunks(source, tr_i_shader_seq_codes_glsl);
+        tr_i_add_chunks(source, tr_i_shader_seq_layers_glsl);
+        tr_i_add_chunks(source, tr_i_shader_seq_units_glsl);
+        tr_i_add_chunks(source, tr_i_shader_cool_to_warm_glsl);
     } else if (tr_i_is_see(rule)) {
         tr_i_add_chunks(source, tr_i_shader_see_block_glsl);
         tr_i_add_chunks(source, tr_i_shader_see_rules_glsl);
@@ -4388,18 +5847,21 @@ static void tr_i_outline_source(tr_i_source *source, tr_stage stage, int variant
 
 /* Full-screen passes of dynamic transparency. */
 static void tr_i_see_source(tr_i_source *source, tr_stage stage, int program) {
-    int rows = program == TR_I_PROGRAM_SPREAD_X, low = program == TR_I_PROGRAM_SPREAD_Y;
+    int bits = program == TR_I_PROGRAM_BITS, rows = program == TR_I_PROGRAM_SPREAD_X;
+    int low = program == TR_I_PROGRAM_SPREAD_Y;
     tr_i_add_chunks(source, tr_i_shader_see_block_glsl);
     if (stage == TR_VERTEX) {
-        tr_i_add(source, rows || low ? "#define TR_COARSE_X 1\n" : "#define TR_COARSE_X 0\n");
+        tr_i_add(source, bits          ? "#define TR_COARSE_X 2\n"
+                         : rows || low ? "#define TR_COARSE_X 1\n"
+                                       : "#define TR_COARSE_X 0\n");
         tr_i_add(source, low ? "#define TR_COARSE_Y 1\n" : "#define TR_COARSE_Y 0\n");
         tr_i_add_chunks(source, tr_i_shader_see_tile_vert);
         return;
     }
-    tr_i_add(source, low ? "#define TR_SPREAD 1\n" : "#define TR_SPREAD 0\n");
+    tr_i_add(source, low ? "#define TR_SPREAD 2\n" : rows ? "#define TR_SPREAD 1\n" : "#define TR_SPREAD 0\n");
     tr_i_add(source, program == TR_I_PROGRAM_FINISH ? "#define TR_HAS_LOW 1\n" : "#define TR_HAS_LOW 0\n");
     tr_i_add(source, program == TR_I_PROGRAM_COMPOSE_YIELD ? "#define TR_HAS_YIELD 1\n" : "#define TR_HAS_YIELD 0\n");
-    tr_i_add_chunks(source, rows || low                            ? tr_i_shader_see_spread_frag
+    tr_i_add_chunks(source, bits || rows || low                    ? tr_i_shader_see_spread_frag
                             : program == TR_I_PROGRAM_PRIME        ? tr_i_shader_see_prime_frag
                             : program == TR_I_PROGRAM_QUERY        ? tr_i_shader_see_query_frag
                             : program >= TR_I_PROGRAM_COMPOSE_MASK ? tr_i_shader_see_compose_frag
@@ -4420,6 +5882,33 @@ static void tr_i_alpha_source(tr_i_source *source, tr_stage stage, int alpha) {
     }
 }
 
+/* Full-screen passes of sequences, by the programs' numbers from TR_I_SEQ_WIPE on. */
+static void tr_i_seq_source(tr_i_source *source, tr_stage stage, int program) {
+    static const tr_i_strings fragments[] = {
+        tr_i_shader_seq_wipe_frag,   tr_i_shader_seq_row_frag,   tr_i_shader_seq_near_frag, tr_i_shader_seq_near_frag,
+        tr_i_shader_seq_mask_frag,   tr_i_shader_seq_mask_frag,  tr_i_shader_seq_mask_frag, tr_i_shader_seq_mask_frag,
+        tr_i_shader_seq_own_frag,    tr_i_shader_seq_reach_frag, tr_i_shader_seq_keep_frag, tr_i_shader_seq_share_frag,
+        tr_i_shader_seq_compose_frag};
+    int masks = program >= TR_I_SEQ_MASK && program < TR_I_SEQ_OVER, near_ = program - TR_I_SEQ_NEAR;
+    int rings = masks ? (program - TR_I_SEQ_MASK) & 1 : near_ == 1;
+    int whole = program == TR_I_SEQ_OVER || program == TR_I_SEQ_KEEP || program == TR_I_SEQ_COMPOSE;
+    tr_i_add_chunks(source, tr_i_shader_seq_block_glsl);
+    if (stage == TR_VERTEX) {
+        tr_i_add_define(source, "TR_BOXES", program == TR_I_SEQ_ROW ? 1 : near_ == 0 || near_ == 1 ? 2 : 0);
+        tr_i_add_chunks(source, whole ? tr_i_shader_fullscreen_vert : tr_i_shader_seq_boxes_vert);
+        return;
+    }
+    tr_i_add_define(source, "TR_RINGS", (uint32_t)rings);
+    tr_i_add_define(source, "TR_TOGETHER", masks && program >= TR_I_SEQ_MASK + 2);
+    if (masks || program == TR_I_SEQ_DEPTHS || program == TR_I_SEQ_SHARE)
+        tr_i_add_chunks(source, tr_i_shader_seq_mask_glsl);
+    if (program > TR_I_SEQ_DEPTHS) {
+        tr_i_add_chunks(source, tr_i_shader_seq_codes_glsl);
+        tr_i_add_chunks(source, tr_i_shader_seq_layers_glsl);
+    }
+    tr_i_add_chunks(source, fragments[program]);
+}
+
 /* The whole text of one stage of a built-in program; key: of a variant. */
 static void tr_i_program_source(tr_i_source *source, int program, uint32_t key, tr_stage stage, int es,
                                 int reversed_z) {
@@ -4436,7 +5925,9 @@ static void tr_i_program_source(tr_i_source *source, int program, uint32_t key, 
     source->count = 0;
     source->used = 0;
     tr_i_add_preamble(source, es, reversed_z);
-    if (program >= TR_I_PROGRAM_SEE)
+    if (program >= TR_I_PROGRAM_SEQUENCE)
+        tr_i_seq_source(source, stage, program - TR_I_PROGRAM_SEQUENCE);
+    else if (program >= TR_I_PROGRAM_SEE)
         tr_i_see_source(source, stage, program);
     else if (program >= TR_I_PROGRAM_OUTLINE)
         tr_i_outline_source(source, stage, program - TR_I_PROGRAM_OUTLINE);
@@ -4493,6 +5984,18 @@ static tr_i_u tr_i_link(tr_context *tr, int index) {
     return program;
 }
 
+/* Samplers of sequences; see tr_i_bind_step. */
+static const struct {
+    const char *name;
+    int unit;
+} tr_i_seq_samplers[] = {
+    {"tr_seed", TR_I_SCENE_DEPTH},        {"tr_rows", TR_I_OPAQUE_COLOR},        {"tr_nearest_seed", TR_I_MARK},
+    {"tr_block_depth", TR_I_MARK},        {"tr_mask_alphas", TR_I_OPAQUE_COLOR}, {"tr_remaining", TR_I_CROSSINGS},
+    {"tr_own_depth", TR_I_SCENE_DEPTH},   {"tr_own_color", TR_I_OPAQUE_COLOR},   {"tr_reach", TR_I_CROSSINGS},
+    {"tr_code", TR_I_OPAQUE_COLOR},       {"tr_layer_before", TR_I_FRONT_DEPTH}, {"tr_layer_now", TR_I_ODD_DEPTH},
+    {"tr_layer_even", TR_I_FRONT_DEPTH},  {"tr_layer_odd", TR_I_ODD_DEPTH},      {"tr_chain", TR_I_FRONT_OWNER},
+    {"tr_layer_alphas", TR_I_FRONT_DEPTH}};
+
 /* Points a program's samplers and block at our units and binding. The program is left in use. */
 static void tr_i_wire_program(tr_context *tr, tr_i_u program) {
     static const char *const samplers[TR_TEXTURE_UNITS] = {"tr_front_depth", "tr_odd_depth",    "tr_front_owner",
@@ -4518,6 +6021,11 @@ static void tr_i_wire_program(tr_context *tr, tr_i_u program) {
         int32_t location = tr->gl.GetUniformLocation(program, others[i]);
         if (location >= 0)
             tr->gl.Uniform1i(location, tr->desc.first_texture_unit + units[i]);
+    }
+    for (i = 0; i < (int)(sizeof tr_i_seq_samplers / sizeof tr_i_seq_samplers[0]); ++i) {
+        int32_t location = tr->gl.GetUniformLocation(program, tr_i_seq_samplers[i].name);
+        if (location >= 0)
+            tr->gl.Uniform1i(location, tr->desc.first_texture_unit + tr_i_seq_samplers[i].unit);
     }
     if (block != TR_I_GL_INVALID_INDEX)
         tr->gl.UniformBlockBinding(program, block, (tr_i_u)tr->desc.uniform_binding);
@@ -4856,13 +6364,14 @@ static void tr_i_drop_edges(tr_context *tr) {
 typedef struct tr_i_see_format {
     tr_i_u internal, format, type;
     uint32_t bytes;
-    int across, up; /* 0: the viewport's size; 1: divided as masks are; 2: by 4 */
+    int across, up; /* 0: the viewport's size; 1: divided as masks are; 2: by 4; 3: by 8 */
 } tr_i_see_format;
 
 static tr_i_see_format tr_i_see_format_of(int texture, int srgb) {
     static const tr_i_see_format formats[TR_I_SEE_TEXTURE_COUNT] = {
         {TR_I_GL_DEPTH_COMPONENT32F, TR_I_GL_DEPTH_COMPONENT, TR_I_GL_FLOAT, 4, 0, 0},
         {TR_I_GL_RGBA8, TR_I_GL_RGBA, TR_I_GL_UNSIGNED_BYTE, 4, 0, 0},
+        {TR_I_GL_R8, TR_I_GL_RED, TR_I_GL_UNSIGNED_BYTE, 1, 3, 0},
         {TR_I_GL_R8, TR_I_GL_RED, TR_I_GL_UNSIGNED_BYTE, 1, 1, 0},
         {TR_I_GL_RGBA8, TR_I_GL_RGBA, TR_I_GL_UNSIGNED_BYTE, 4, 1, 1},
         {TR_I_GL_DEPTH_COMPONENT32F, TR_I_GL_DEPTH_COMPONENT, TR_I_GL_FLOAT, 4, 1, 1},
@@ -4877,9 +6386,12 @@ static tr_i_see_format tr_i_see_format_of(int texture, int srgb) {
     return format;
 }
 
+static int tr_i_see_divisor(int kind, int divisor) {
+    return kind == 0 ? 1 : kind == 1 ? divisor : kind == 2 ? 4 : 8;
+}
+
 static void tr_i_see_size(const tr_i_see_format *format, int width, int height, int divisor, int out[2]) {
-    int across = format->across == 0 ? 1 : format->across == 1 ? divisor : 4;
-    int up = format->up == 0 ? 1 : format->up == 1 ? divisor : 4;
+    int across = tr_i_see_divisor(format->across, divisor), up = tr_i_see_divisor(format->up, divisor);
     out[0] = (width + across - 1) / across;
     out[1] = (height + up - 1) / up;
 }
@@ -4894,6 +6406,7 @@ static uint64_t tr_i_see_weight(int texture, int width, int height, int divisor)
 /* Of the framebuffers: a colour, and a depth or none (-1). */
 static void tr_i_see_attached(int fbo, int out[2]) {
     static const signed char attached[TR_I_SEE_FBO_COUNT][2] = {{TR_I_SEE_MARK, TR_I_SEE_DEPTH},
+                                                                {TR_I_SEE_BITS, -1},
                                                                 {TR_I_SEE_ROWS, -1},
                                                                 {TR_I_SEE_LOW, TR_I_SEE_LOW_DEPTH},
                                                                 {TR_I_SEE_MASK, TR_I_SEE_MASK_DEPTH},
@@ -4910,6 +6423,8 @@ static int tr_i_see_fbo_of(const tr_see_plan *plan, int index) {
     case TR_PASS_BLOCK:
     case TR_PASS_TARGETS:
         return TR_I_SEE_FBO_TARGETS;
+    case TR_PASS_BITS:
+        return TR_I_SEE_FBO_BITS;
     case TR_PASS_SPREAD_X:
         return TR_I_SEE_FBO_ROWS;
     case TR_PASS_SPREAD_Y:
@@ -4974,6 +6489,266 @@ static void tr_i_drop_see_textures(tr_context *tr) {
     tr->see.width = tr->see.height = 0;
 }
 
+/* ---- dynamic transparency: textures of sequences ---- */
+
+typedef struct tr_i_format {
+    tr_i_u internal, format, type;
+    uint32_t bytes;
+} tr_i_format;
+
+static tr_i_format tr_i_seq_format(const tr_i_sequence *seq, int texture) {
+    static const tr_i_format depth = {TR_I_GL_DEPTH_COMPONENT32F, TR_I_GL_DEPTH_COMPONENT, TR_I_GL_FLOAT, 4};
+    static const tr_i_format row = {TR_I_GL_R16UI, TR_I_GL_RED_INTEGER, TR_I_GL_UNSIGNED_SHORT, 2};
+    static const tr_i_format nearest = {TR_I_GL_RG16UI, TR_I_GL_RG_INTEGER, TR_I_GL_UNSIGNED_SHORT, 4};
+    static const tr_i_format pairs[2] = {{TR_I_GL_RG16F, TR_I_GL_RG, TR_I_GL_FLOAT, 4},
+                                         {TR_I_GL_RG8, TR_I_GL_RG, TR_I_GL_UNSIGNED_BYTE, 2}};
+    static const tr_i_format colors[2] = {{TR_I_GL_RGBA16F, TR_I_GL_RGBA, TR_I_GL_FLOAT, 8},
+                                          {TR_I_GL_RGBA8, TR_I_GL_RGBA, TR_I_GL_UNSIGNED_BYTE, 4}};
+    static const tr_i_format code = {TR_I_GL_R32UI, TR_I_GL_RED_INTEGER, TR_I_GL_UNSIGNED_INT, 4};
+    switch (texture) {
+    case TR_I_SEQ_CODE:
+    case TR_I_SEQ_CHAIN:
+        return code;
+    case TR_I_SEQ_LAYER_COLOR: /* light has more dark than 8 bits hold */
+        return colors[seq->eight_bits || !seq->light];
+    case TR_I_SEQ_LAYER_ALPHAS:
+        return colors[seq->eight_bits];
+    case TR_I_SEQ_ROWS:
+        return row;
+    case TR_I_SEQ_NEAREST:
+        return nearest;
+    case TR_I_SEQ_ALPHAS:
+        return pairs[seq->eight_bits];
+    case TR_I_SEQ_REMAINING:
+        return pairs[1];
+    case TR_I_SEQ_OWN_COLOR:
+        return colors[seq->eight_bits];
+    default:
+        return depth;
+    }
+}
+
+/* Width, height and slices (0: no array) for a viewport's width and height, a divisor and layers. */
+static void tr_i_seq_size(int texture, const int extent[4], int size[3]) {
+    int cell = extent[2], layers = extent[3];
+    size[0] = texture == TR_I_SEQ_ROWS || texture == TR_I_SEQ_NEAREST ? (extent[0] + cell - 1) / cell : extent[0];
+    size[1] = texture == TR_I_SEQ_NEAREST ? (extent[1] + cell - 1) / cell : extent[1];
+    size[2] = texture < TR_I_SEQ_EVEN            ? 0
+              : texture <= TR_I_SEQ_ODD          ? (layers + 1) / 2
+              : texture == TR_I_SEQ_LAYER_ALPHAS ? (layers + 3) / 4
+                                                 : layers;
+}
+
+/* Bits of the textures that the steps of this frame need. */
+static uint32_t tr_i_seq_needs(const tr_i_sequence *seq) {
+    uint32_t needs = 1u << TR_I_SEQ_SEED | 1u << TR_I_SEQ_ROWS | 1u << TR_I_SEQ_NEAREST;
+    if (seq->has_block)
+        needs |= 1u << TR_I_SEQ_BLOCK;
+    if (seq->exact)
+        return needs | 1u << TR_I_SEQ_REACH | 1u << TR_I_SEQ_CODE | 1u << TR_I_SEQ_EVEN | 1u << TR_I_SEQ_ODD |
+               1u << TR_I_SEQ_CHAIN | 1u << TR_I_SEQ_LAYER_COLOR | 1u << TR_I_SEQ_LAYER_ALPHAS;
+    needs |= 1u << TR_I_SEQ_ALPHAS;
+    if (seq->counted)
+        needs |= 1u << TR_I_SEQ_OWN_COLOR | 1u << TR_I_SEQ_OWN_DEPTH | 1u << TR_I_SEQ_REMAINING;
+    return needs;
+}
+
+static uint64_t tr_i_seq_bytes(const tr_i_sequence *seq, uint32_t textures, const int extent[4]) {
+    uint64_t bytes = 0;
+    int i, size[3];
+    for (i = 0; i < TR_I_SEQ_TEXTURE_COUNT; ++i) {
+        if (!(textures >> i & 1u))
+            continue;
+        tr_i_seq_size(i, extent, size);
+        bytes +=
+            (uint64_t)size[0] * (uint64_t)size[1] * (uint64_t)(size[2] ? size[2] : 1) * tr_i_seq_format(seq, i).bytes;
+    }
+    return bytes;
+}
+
+static uint32_t tr_i_seq_held(const tr_i_sequence *seq) {
+    uint32_t held = 0;
+    int i;
+    for (i = 0; i < TR_I_SEQ_TEXTURE_COUNT; ++i)
+        held |= (uint32_t)(seq->textures[i] != 0) << i;
+    return held;
+}
+
+static void tr_i_drop_seq_textures(tr_context *tr) {
+    tr_i_delete_framebuffers(tr, TR_I_SEQ_FBO_COUNT, tr->seq.fbos);
+    tr_i_delete_textures(tr, TR_I_SEQ_TEXTURE_COUNT, tr->seq.textures);
+    memset(tr->seq.extent, 0, sizeof tr->seq.extent);
+}
+
+static void tr_i_drop_array(tr_context *tr, tr_i_array *array) {
+    if (array->items)
+        tr->desc.free_fn(array->items, tr->desc.alloc_user);
+    memset(array, 0, sizeof *array);
+}
+
+/* All but programs. */
+static void tr_i_drop_sequence(tr_context *tr) {
+    tr_i_sequence *seq = &tr->seq;
+    tr_i_array *arrays[10];
+    int i;
+    arrays[0] = &seq->ranks;
+    arrays[1] = &seq->by_group;
+    arrays[2] = &seq->painted;
+    arrays[3] = &seq->list;
+    arrays[4] = &seq->scene;
+    arrays[5] = &seq->masks;
+    arrays[6] = &seq->items;
+    arrays[7] = &seq->steps;
+    arrays[8] = &seq->blocks;
+    arrays[9] = &seq->tied;
+    for (i = 0; i < 10; ++i)
+        tr_i_drop_array(tr, arrays[i]);
+    tr_i_drop_seq_textures(tr);
+    if (seq->buffer)
+        tr->gl.DeleteBuffers(1, &seq->buffer);
+    seq->buffer = 0;
+    seq->buffer_size = 0;
+}
+
+/* The unit that a texture is read from, where it is read from one alone. */
+static int tr_i_seq_unit(int texture) {
+    static const int units[TR_I_SEQ_TEXTURE_COUNT] = {
+        TR_I_SCENE_DEPTH,  TR_I_OPAQUE_COLOR, TR_I_MARK,        TR_I_MARK,        TR_I_OPAQUE_COLOR,
+        TR_I_OPAQUE_COLOR, TR_I_SCENE_DEPTH,  TR_I_CROSSINGS,   TR_I_CROSSINGS,   TR_I_OPAQUE_COLOR,
+        TR_I_FRONT_DEPTH,  TR_I_ODD_DEPTH,    TR_I_FRONT_OWNER, TR_I_LAYER_COLOR, TR_I_FRONT_DEPTH};
+    return units[texture];
+}
+
+static void tr_i_make_seq_texture(tr_context *tr, int index) {
+    const tr_i_gl *gl = &tr->gl;
+    tr_i_format format = tr_i_seq_format(&tr->seq, index);
+    int size[3], unit = tr_i_seq_unit(index);
+    tr_i_u target = tr_i_targets[unit];
+    tr_i_seq_size(index, tr->seq.extent, size);
+    gl->ActiveTexture(TR_I_GL_TEXTURE0 + (tr_i_u)(tr->desc.first_texture_unit + unit));
+    gl->GenTextures(1, &tr->seq.textures[index]);
+    gl->BindTexture(target, tr->seq.textures[index]);
+    if (size[2])
+        gl->TexImage3D(target, 0, (int32_t)format.internal, size[0], size[1], size[2], 0, format.format, format.type,
+                       0);
+    else
+        gl->TexImage2D(target, 0, (int32_t)format.internal, size[0], size[1], 0, format.format, format.type, 0);
+    gl->TexParameteri(target, TR_I_GL_TEXTURE_MIN_FILTER, TR_I_GL_NEAREST);
+    gl->TexParameteri(target, TR_I_GL_TEXTURE_MAG_FILTER, TR_I_GL_NEAREST);
+    gl->TexParameteri(target, TR_I_GL_TEXTURE_WRAP_S, TR_I_GL_CLAMP_TO_EDGE);
+    gl->TexParameteri(target, TR_I_GL_TEXTURE_WRAP_T, TR_I_GL_CLAMP_TO_EDGE);
+}
+
+/* What is attached to a framebuffer: depth and two colours, -1: none; and of arrays which slice. */
+static void tr_i_seq_attachments(int fbo, int out[3], int slices[3]) {
+    static const int attached[TR_I_SEQ_FBO_PEEL][2] = {{TR_I_SEQ_SEED, -1},
+                                                       {-1, TR_I_SEQ_ROWS},
+                                                       {-1, TR_I_SEQ_NEAREST},
+                                                       {TR_I_SEQ_BLOCK, -1},
+                                                       {-1, TR_I_SEQ_ALPHAS},
+                                                       {TR_I_SEQ_OWN_DEPTH, TR_I_SEQ_OWN_COLOR},
+                                                       {TR_I_SEQ_OWN_DEPTH, TR_I_SEQ_REMAINING},
+                                                       {TR_I_SEQ_REACH, -1}};
+    int layer = (fbo - TR_I_SEQ_FBO_PEEL) % TR_I_SEQ_LAYERS;
+    slices[0] = layer / 2;
+    slices[1] = layer;
+    slices[2] = 0;
+    out[2] = -1;
+    if (fbo < TR_I_SEQ_FBO_PEEL) {
+        out[0] = attached[fbo][0];
+        out[1] = attached[fbo][1];
+        return;
+    }
+    out[0] = -1;
+    out[1] = fbo >= TR_I_SEQ_FBO_SHARE ? TR_I_SEQ_LAYER_ALPHAS : TR_I_SEQ_CHAIN;
+    if (fbo >= TR_I_SEQ_FBO_KEEP)
+        return;
+    out[0] = layer & 1 ? TR_I_SEQ_ODD : TR_I_SEQ_EVEN;
+    out[1] = TR_I_SEQ_LAYER_COLOR;
+    out[2] = TR_I_SEQ_CODE;
+}
+
+static int tr_i_make_seq_fbo(tr_context *tr, int index) {
+    static const tr_i_u points[3] = {TR_I_GL_DEPTH_ATTACHMENT, TR_I_GL_COLOR_ATTACHMENT0,
+                                     TR_I_GL_COLOR_ATTACHMENT0 + 1};
+    const tr_i_gl *gl = &tr->gl;
+    tr_i_u buffers[2];
+    int attached[3], slices[3], i;
+    tr_i_seq_attachments(index, attached, slices);
+    gl->GenFramebuffers(1, &tr->seq.fbos[index]);
+    gl->BindFramebuffer(TR_I_GL_DRAW_FRAMEBUFFER, tr->seq.fbos[index]);
+    gl->BindFramebuffer(TR_I_GL_READ_FRAMEBUFFER, tr->seq.fbos[index]);
+    for (i = 0; i < 3; ++i) {
+        if (attached[i] >= TR_I_SEQ_EVEN)
+            gl->FramebufferTextureLayer(TR_I_GL_DRAW_FRAMEBUFFER, points[i], tr->seq.textures[attached[i]], 0,
+                                        slices[i]);
+        else if (attached[i] >= 0)
+            gl->FramebufferTexture2D(TR_I_GL_DRAW_FRAMEBUFFER, points[i], TR_I_GL_TEXTURE_2D,
+                                     tr->seq.textures[attached[i]], 0);
+    }
+    for (i = 0; i < 2; ++i)
+        buffers[i] = attached[i + 1] >= 0 ? points[i + 1] : 0;
+    gl->DrawBuffers(buffers[1] ? 2 : 1, buffers);
+    gl->ReadBuffer(buffers[0]);
+    return gl->CheckFramebufferStatus(TR_I_GL_DRAW_FRAMEBUFFER) == TR_I_GL_FRAMEBUFFER_COMPLETE;
+}
+
+/* Whether all that a framebuffer attaches is there. */
+static int tr_i_has_attached(const tr_i_sequence *seq, int fbo) {
+    int attached[3], slices[3], size[3], i;
+    tr_i_seq_attachments(fbo, attached, slices);
+    for (i = 0; i < 3; ++i) {
+        if (attached[i] < 0)
+            continue;
+        tr_i_seq_size(attached[i], seq->extent, size);
+        if (!seq->textures[attached[i]] || (size[2] && slices[i] >= size[2]))
+            return 0;
+    }
+    return 1;
+}
+
+/* Textures that are needed, and framebuffers of which all is there. */
+static int tr_i_try_seq_textures(tr_context *tr, uint32_t needs) {
+    int i;
+    tr->gl.BindBuffer(TR_I_GL_PIXEL_UNPACK_BUFFER, 0);
+    for (i = 0; i < TR_I_SEQ_TEXTURE_COUNT; ++i)
+        if ((needs >> i & 1u) && !tr->seq.textures[i])
+            tr_i_make_seq_texture(tr, i);
+    for (i = 0; i < TR_I_SEQ_FBO_COUNT; ++i)
+        if (!tr->seq.fbos[i] && tr_i_has_attached(&tr->seq, i) && !tr_i_make_seq_fbo(tr, i))
+            return 0;
+    return 1;
+}
+
+/* More layers than are needed are kept. */
+static int tr_i_seq_misfits(const tr_context *tr) {
+    const tr_i_sequence *seq = &tr->seq;
+    return memcmp(seq->extent, seq->wanted, 3 * sizeof seq->extent[0]) != 0 || seq->extent[3] < seq->wanted[3] ||
+           seq->light != seq->made_for_light;
+}
+
+/* Contexts that cannot draw into textures of floats (ES 3.0 without an extension) say so by an incomplete framebuffer. */
+static tr_result tr_i_make_seq_textures(tr_context *tr) {
+    tr_i_sequence *seq = &tr->seq;
+    uint32_t needs = tr_i_seq_needs(seq);
+    int tries;
+    for (tries = 0; tries < 2; ++tries) {
+        if (tr_i_seq_misfits(tr))
+            tr_i_drop_seq_textures(tr);
+        if (seq->extent[3] < seq->wanted[3] || seq->extent[0] == 0)
+            seq->extent[3] = seq->wanted[3];
+        memcpy(seq->extent, seq->wanted, 3 * sizeof seq->extent[0]);
+        seq->made_for_light = seq->light;
+        if (tr_i_try_seq_textures(tr, needs))
+            return TR_OK;
+        tr_i_drop_seq_textures(tr);
+        if (seq->eight_bits)
+            break;
+        seq->eight_bits = 1;
+    }
+    return tr_i_fail(&tr->desc, TR_TARGET_INCOMPLETE, "one of the header's own");
+}
+
 /* All but the uniform buffer. */
 static void tr_i_drop_see(tr_context *tr) {
     tr_i_drop_see_textures(tr);
@@ -4981,6 +6756,7 @@ static void tr_i_drop_see(tr_context *tr) {
         tr->desc.free_fn(tr->see.places, tr->desc.alloc_user);
     tr->see.places = 0;
     tr->see.capacity = 0;
+    tr_i_drop_sequence(tr);
     if (tr->see.answer)
         tr->desc.free_fn(tr->see.answer, tr->desc.alloc_user);
     tr->see.answer = 0;
@@ -5139,7 +6915,7 @@ TR_I_API tr_info tr_get_info(const tr_context *tr) {
     info.version = tr->version;
     info.plan = &tr->plan;
     info.see_plan = &tr->see.plan;
-    info.bytes = tr_i_see_bytes(tr);
+    info.bytes = tr_i_see_bytes(tr) + tr_i_seq_bytes(&tr->seq, tr_i_seq_held(&tr->seq), tr->seq.extent);
     if (tr->textures[TR_I_CROSSINGS])
         info.bytes += (uint64_t)tr->slices[TR_I_CROSSINGS] * TR_I_CROSSING_ROW * 16u;
     for (i = 0; i < TR_I_TEXTURE_COUNT; ++i)
@@ -6429,6 +8205,8 @@ static tr_result tr_i_check_dynamic(const tr_context *tr, const tr_frame *frame,
         wrong = tr_i_check_lights(dynamic);
     if (!wrong)
         wrong = tr_i_check_units(dynamic);
+    if (!wrong && dynamic->see == TR_SEE_EXACT && !tr_i_ids_differ(dynamic))
+        wrong = "dynamic.units: two have one id, and TR_SEE_EXACT tells units apart by it";
     if (wrong)
         return tr_i_fail(&tr->desc, TR_INVALID_ARGUMENT, wrong);
     if (dynamic->query && !tr->has_queries)
@@ -6459,6 +8237,8 @@ static tr_frame tr_i_dynamic_frame(const tr_frame *frame) {
 /* The program of ours for a pass of the plan. */
 static int tr_i_see_program(const tr_context *tr, const tr_see_pass *pass) {
     switch (pass->kind) {
+    case TR_PASS_BITS:
+        return TR_I_PROGRAM_BITS;
     case TR_PASS_SPREAD_X:
         return TR_I_PROGRAM_SPREAD_X;
     case TR_PASS_SPREAD_Y:
@@ -6656,6 +8436,373 @@ static void tr_i_forget_answers(tr_i_see *see) {
         memset(see->answer, 0, (TR_I_MAX_UNIT_ID + 1) * sizeof see->answer[0]);
 }
 
+/* ---- dynamic transparency: a frame of a sequence ---- */
+
+/* Each run's masks, by a step of the given kind: `step` is what a step of SHARE has as its layer. */
+static void tr_i_add_boxes(tr_context *tr, tr_pass_kind kind, uint32_t run, int layer, int clear) {
+    const tr_i_sequence *seq = &tr->seq;
+    uint32_t count = ((const tr_i_item *)seq->items.items)[run].count;
+    tr_i_step *step = tr_i_add_step(tr, kind, TR_RULE_SEE_PLAIN, 0, count);
+    step->block = kind == TR_PASS_SHARE ? run * (TR_I_SEQ_LAYERS / 4) + (uint32_t)layer : run * (TR_I_SEQ_LAYERS / 4);
+    step->layer = (uint8_t)layer;
+    step->clear = (uint8_t)clear;
+}
+
+/* All passes of TR_SEE_EXACT: how far masks look, layer after layer up to there, what masks make of these. The distances of
+   a run are found anew where another run has taken their place. */
+static void tr_i_add_exact_steps(tr_context *tr, const tr_dynamic *dynamic) {
+    tr_i_sequence *seq = &tr->seq;
+    size_t first = seq->list.count, blocks, units;
+    uint32_t run, stride = TR_I_SEQ_LAYERS / 4;
+    int i;
+    seq->steps.count = 0;
+    tr_i_add_step(tr, TR_PASS_SCENE, TR_RULE_SEE_PLAIN, 0, seq->scene.count);
+    blocks = tr_i_list_meeting(tr, dynamic, &seq->tied, 1);
+    if (blocks)
+        tr_i_add_step(tr, TR_PASS_BLOCK, TR_RULE_SEE_DEPTH, first, blocks)->clear = 1;
+    seq->has_block = blocks != 0;
+    for (run = 0; run < seq->runs; ++run) {
+        tr_i_item item = ((const tr_i_item *)seq->items.items)[run];
+        tr_i_add_distances(tr, &item, run * stride, 1);
+        tr_i_add_boxes(tr, TR_PASS_REACH, run, 0, run == 0);
+    }
+    first = seq->list.count;
+    units = tr_i_list_meeting(tr, dynamic, &seq->tied, 0);
+    for (i = 0; i < seq->peeled; ++i) {
+        tr_i_step *peel = tr_i_add_step(tr, TR_PASS_PEEL_UNITS, TR_RULE_SEE_PEEL, first, units), *keep;
+        peel->clear = 1;
+        peel->layer = (uint8_t)i;
+        peel->block = seq->runs * stride + (uint32_t)i;
+        keep = tr_i_add_step(tr, TR_PASS_KEEP, TR_RULE_SEE_PLAIN, 0, 0);
+        keep->layer = (uint8_t)i;
+        keep->block = seq->runs * stride + (uint32_t)i;
+    }
+    for (run = 0; run < seq->runs; ++run) {
+        tr_i_item item = ((const tr_i_item *)seq->items.items)[run];
+        if (seq->runs > 1)
+            tr_i_add_distances(tr, &item, run * stride, 1);
+        for (i = 0; 4 * i < seq->peeled; ++i)
+            tr_i_add_boxes(tr, TR_PASS_SHARE, run, i, run == 0);
+    }
+    tr_i_add_step(tr, TR_PASS_COMPOSE_LAYERS, TR_RULE_SEE_PLAIN, 0, 0);
+}
+
+/* A copy of the uniform block for each run of masks. */
+static void tr_i_fill_seq_block(const tr_i_sequence *seq, const tr_frame *frame, const tr_dynamic *dynamic,
+                                const tr_i_law *law, tr_i_seq_block *block) {
+    tr_i_block shading;
+    size_t i;
+    memset(block, 0, sizeof *block);
+    tr_i_fill_block(frame, 0, 1, &shading);
+    memcpy(block->light, shading.light, sizeof block->light);
+    memcpy(block->cool, shading.cool, sizeof block->cool);
+    memcpy(block->warm, shading.warm, sizeof block->warm);
+    block->law[0] = law->target;
+    block->law[1] = law->start;
+    block->law[2] = law->width;
+    memcpy(block->background, dynamic->background, sizeof dynamic->background);
+    block->view[0] = frame->x;
+    block->view[1] = frame->y;
+    block->view[2] = frame->width;
+    block->view[3] = frame->height;
+    block->numbers[0] = seq->wanted[2];
+    block->numbers[1] = seq->reach;
+    block->numbers[2] = seq->layers;
+    block->numbers[3] = (int32_t)dynamic->light_count;
+    block->step[1] = seq->product;
+    block->step[2] = seq->published;
+    block->step[3] = seq->counted && !seq->exact;
+    block->more[0] = seq->peeled;
+    block->more[1] = seq->whole;
+    block->more[2] = seq->has_block;
+    block->more[3] = !seq->each;
+    for (i = 0; i < dynamic->light_count; ++i) {
+        const tr_light *light = &dynamic->lights[i];
+        block->lights[i][0] = light->x;
+        block->lights[i][1] = light->y;
+        block->lights[i][2] = light->radius;
+        block->lights[i][3] = light->edge;
+    }
+}
+
+static void tr_i_fill_masks(const tr_i_sequence *seq, const tr_i_item *item, tr_i_seq_block *block) {
+    uint32_t i;
+    int k;
+    for (i = 0; i < item->count; ++i) {
+        const tr_i_mask *mask = (const tr_i_mask *)seq->masks.items + item->first + i;
+        for (k = 0; k < 4; ++k)
+            block->masks[i][k] = (float)mask->box[k];
+        block->masks[i][4] = mask->strength;
+        block->masks[i][5] = mask->active;
+        block->masks[i][6] = mask->importance;
+        block->masks[i][7] = mask->id;
+    }
+}
+
+static void tr_i_push_block(tr_context *tr, const tr_i_seq_block *block) {
+    unsigned char *copy = (unsigned char *)tr_i_push(tr, &tr->seq.blocks, TR_I_SEQ_STRIDE);
+    if (!copy) {
+        tr->seq.no_memory = 1;
+        return;
+    }
+    memset(copy, 0, TR_I_SEQ_STRIDE);
+    memcpy(copy, block, sizeof *block);
+}
+
+/* One a run; of TR_SEE_EXACT one for each four layers of a run, and one a layer. */
+static void tr_i_add_blocks(tr_context *tr, const tr_frame *frame, const tr_dynamic *dynamic) {
+    tr_i_sequence *seq = &tr->seq;
+    tr_i_seq_block block;
+    size_t i;
+    int layer;
+    tr_i_fill_seq_block(seq, frame, dynamic, &tr->see.law, &block);
+    seq->blocks.count = 0;
+    for (i = 0; i < seq->items.count; ++i) {
+        const tr_i_item *item = (const tr_i_item *)seq->items.items + i;
+        if (!item->masks)
+            continue;
+        tr_i_fill_masks(seq, item, &block);
+        for (layer = 0; layer < (seq->exact ? TR_I_SEQ_LAYERS / 4 : 1); ++layer) {
+            block.step[0] = layer;
+            tr_i_push_block(tr, &block);
+        }
+    }
+    for (layer = 0; seq->exact && layer < seq->peeled; ++layer) {
+        block.step[0] = layer;
+        tr_i_push_block(tr, &block);
+    }
+}
+
+/* The program of a full-screen pass; -1: the host draws. */
+static int tr_i_seq_program(const tr_i_sequence *seq, const tr_i_step *step) {
+    int together = seq->counted && !seq->each;
+    switch ((tr_pass_kind)step->kind) {
+    case TR_PASS_WIPE:
+        return TR_I_PROGRAM_SEQUENCE + TR_I_SEQ_WIPE;
+    case TR_PASS_ROWS:
+        return TR_I_PROGRAM_SEQUENCE + TR_I_SEQ_ROW;
+    case TR_PASS_NEAREST:
+        return TR_I_PROGRAM_SEQUENCE + TR_I_SEQ_NEAR + seq->published;
+    case TR_PASS_MASKS:
+        return TR_I_PROGRAM_SEQUENCE + TR_I_SEQ_MASK + seq->published + 2 * together;
+    case TR_PASS_PAINT_OVER:
+        return TR_I_PROGRAM_SEQUENCE + TR_I_SEQ_OVER;
+    case TR_PASS_REACH:
+        return TR_I_PROGRAM_SEQUENCE + TR_I_SEQ_DEPTHS;
+    case TR_PASS_KEEP:
+        return TR_I_PROGRAM_SEQUENCE + TR_I_SEQ_KEEP;
+    case TR_PASS_SHARE:
+        return TR_I_PROGRAM_SEQUENCE + TR_I_SEQ_SHARE;
+    case TR_PASS_COMPOSE_LAYERS:
+        return TR_I_PROGRAM_SEQUENCE + TR_I_SEQ_COMPOSE;
+    default:
+        return -1;
+    }
+}
+
+/* The program that a step is drawn with, by us or, in a built-in way, by the host. */
+static int tr_i_step_program(const tr_i_sequence *seq, const tr_i_step *step) {
+    int program = tr_i_seq_program(seq, step);
+    return program >= 0 ? program : (int)step->rule;
+}
+
+static int tr_i_seq_needs_work(const tr_context *tr) {
+    const tr_i_sequence *seq = &tr->seq;
+    const tr_i_step *steps = (const tr_i_step *)seq->steps.items;
+    uint32_t needs = tr_i_seq_needs(seq);
+    size_t i;
+    if (tr_i_seq_misfits(tr) || (needs & ~tr_i_seq_held(seq)) || !tr->vertex_array)
+        return 1;
+    for (i = 0; i < seq->steps.count; ++i)
+        if (steps[i].kind != (uint8_t)TR_PASS_SCENE && !tr->programs[tr_i_step_program(seq, &steps[i])].name)
+            return 1;
+    return 0;
+}
+
+static void tr_i_upload_blocks(tr_context *tr) {
+    tr_i_sequence *seq = &tr->seq;
+    size_t size = seq->blocks.count * TR_I_SEQ_STRIDE;
+    int32_t bound = 0;
+    if (!seq->buffer)
+        tr->gl.GenBuffers(1, &seq->buffer);
+    tr->gl.GetIntegerv(TR_I_GL_COPY_WRITE_BUFFER_BINDING, &bound);
+    tr->gl.BindBuffer(TR_I_GL_COPY_WRITE_BUFFER, seq->buffer);
+    if (seq->buffer_size < size) {
+        seq->buffer_size = size + size / 4 / TR_I_SEQ_STRIDE * TR_I_SEQ_STRIDE;
+        tr->gl.BufferData(TR_I_GL_COPY_WRITE_BUFFER, (ptrdiff_t)seq->buffer_size, 0, TR_I_GL_DYNAMIC_DRAW);
+    }
+    tr->gl.BufferSubData(TR_I_GL_COPY_WRITE_BUFFER, 0, (ptrdiff_t)size, seq->blocks.items);
+    tr->gl.BindBuffer(TR_I_GL_COPY_WRITE_BUFFER, (tr_i_u)bound);
+}
+
+static tr_result tr_i_seq_work(tr_context *tr) {
+    const tr_i_sequence *seq = &tr->seq;
+    const tr_i_step *steps = (const tr_i_step *)seq->steps.items;
+    tr_result result = tr_i_make_seq_textures(tr);
+    size_t i;
+    for (i = 0; i < seq->steps.count && result == TR_OK; ++i)
+        if (steps[i].kind != (uint8_t)TR_PASS_SCENE)
+            result = tr_i_make_program(tr, tr_i_step_program(seq, &steps[i]));
+    if (!tr->vertex_array)
+        tr->gl.GenVertexArrays(1, &tr->vertex_array);
+    return result;
+}
+
+/* What this frame wishes, with the defaults filled in. */
+static void tr_i_take_wishes(tr_context *tr, const tr_dynamic *dynamic) {
+    tr_i_sequence *seq = &tr->seq;
+    const tr_i_law *law = &tr->see.law;
+    seq->published = dynamic->see == TR_SEE_PUBLISHED;
+    seq->product = seq->published || dynamic->combine == TR_MASK_PRODUCT;
+    seq->each = seq->published || dynamic->occluders == TR_OCCLUDERS_EACH;
+    seq->layers = dynamic->layers;
+    seq->counted = !seq->exact && (!seq->each || seq->layers > 0);
+    seq->wanted[0] = tr->frame.width;
+    seq->wanted[1] = tr->frame.height;
+    seq->wanted[2] = law->divisor;
+    seq->wanted[3] = 0;
+    seq->exact = dynamic->see == TR_SEE_EXACT;
+    seq->light = (tr->frame.wishes.options & TR_WISH_SRGB) != 0;
+    seq->reach = law->reach;
+    seq->grow = law->reach + 2 * law->divisor;
+}
+
+/* Adds to the line of a kind of pass in the plan. */
+static void tr_i_plan_step(tr_see_plan *plan, const tr_i_sequence *seq, const tr_i_step *step) {
+    static const struct {
+        tr_pass_kind kind;
+        const char *why;
+    } whys[] = {{TR_PASS_SCENE, "what no mask makes transparent"},
+                {TR_PASS_BLOCK, "what closes masks, so that targets behind it open none"},
+                {TR_PASS_WIPE, "room for the targets of a run"},
+                {TR_PASS_SEEDS, "the targets of a run: they and their masks do not overlap"},
+                {TR_PASS_ROWS, "the nearest pixel of a target in each row"},
+                {TR_PASS_NEAREST, "of these the nearest"},
+                {TR_PASS_MASKS, "masks, over those of targets farther off"},
+                {TR_PASS_PAINT_DEPTH, "front-most surfaces of solid units"},
+                {TR_PASS_PAINT, "units that masks may make transparent, back to front"},
+                {TR_PASS_COUNT, "occluders are counted, to share a mask or for layer control"},
+                {TR_PASS_PAINT_OVER, "from a target of our own to the host's"},
+                {TR_PASS_REACH, "how far masks look through"},
+                {TR_PASS_PEEL_UNITS, "the next layer up to there, of all units that meet masks"},
+                {TR_PASS_KEEP, "whose the layer is"},
+                {TR_PASS_SHARE, "what masks leave of the opacity of four layers"},
+                {TR_PASS_COMPOSE_LAYERS, "layers, front to back, over the scene"}};
+    size_t i;
+    int at;
+    for (at = 0; at < plan->pass_count && plan->passes[at].kind != (tr_pass_kind)step->kind;)
+        ++at;
+    if (at == plan->pass_count) {
+        tr_see_pass *pass = tr_i_add_see_pass(plan, (tr_pass_kind)step->kind, (tr_rule)step->rule, 0, "");
+        for (i = 0; i < sizeof whys / sizeof whys[0]; ++i)
+            if (whys[i].kind == pass->kind)
+                pass->why = whys[i].why;
+    }
+    ++plan->passes[at].times;
+    if (tr_i_seq_program(seq, step) < 0)
+        plan->passes[at].unit_count += step->count;
+}
+
+/* The rectangle of all masks, to which passes are cut. */
+static void tr_i_bound_masks(tr_i_sequence *seq) {
+    const tr_i_mask *masks = (const tr_i_mask *)seq->masks.items;
+    size_t i;
+    int k;
+    memset(seq->bounds, 0, sizeof seq->bounds);
+    for (i = 0; i < seq->masks.count; ++i)
+        for (k = 0; k < 4; ++k)
+            if (i == 0 || (k < 2 ? masks[i].box[k] < seq->bounds[k] : masks[i].box[k] > seq->bounds[k]))
+                seq->bounds[k] = masks[i].box[k];
+}
+
+/* What of the viewport is covered by boxes of masks, each counted whole. */
+static void tr_i_plan_boxes(const tr_i_sequence *seq, tr_see_plan *plan) {
+    const tr_i_mask *masks = (const tr_i_mask *)seq->masks.items;
+    double area = 0;
+    size_t i;
+    for (i = 0; i < seq->masks.count; ++i)
+        area += (double)(masks[i].box[2] - masks[i].box[0]) * (double)(masks[i].box[3] - masks[i].box[1]);
+    plan->rectangle[0] = seq->bounds[0];
+    plan->rectangle[1] = seq->bounds[1];
+    plan->rectangle[2] = seq->bounds[2] - seq->bounds[0];
+    plan->rectangle[3] = seq->bounds[3] - seq->bounds[1];
+    plan->tiles = (uint32_t)seq->masks.count;
+    plan->covered = (float)(area / ((double)seq->wanted[0] * (double)seq->wanted[1]));
+}
+
+/* The plan of the cheaper rungs gives way. */
+static void tr_i_plan_sequence(tr_context *tr, const tr_dynamic *dynamic) {
+    const tr_i_sequence *seq = &tr->seq;
+    tr_see_plan *plan = &tr->see.plan;
+    size_t i;
+    plan->pass_count = 0;
+    plan->bytes = 0;
+    plan->masks = seq->pending;
+    if (seq->exact ? seq->masks.count == 0 : seq->blocks.count == 0) {
+        tr_i_plan_plain(&tr->see,
+                        plan->targets_in_view ? "nothing that yields lies before a target" : "no target is in view");
+        return;
+    }
+    plan->see = dynamic->see;
+    plan->why = seq->eight_bits ? "something that yields lies before a target; masks of 8 bits"
+                                : "something that yields lies before a target; masks of floats";
+    plan->layers = seq->exact ? (uint32_t)seq->peeled : 0;
+    plan->layer_bound = seq->exact ? (uint32_t)seq->layer_bound : 0;
+    tr_i_plan_boxes(seq, plan);
+    plan->runs = (uint32_t)(seq->exact ? seq->runs : seq->blocks.count);
+    plan->bytes = tr_i_seq_bytes(seq, tr_i_seq_needs(seq), seq->wanted);
+    for (i = 0; i < seq->steps.count; ++i)
+        tr_i_plan_step(plan, seq, (const tr_i_step *)seq->steps.items + i);
+}
+
+/* Lists and steps; no GL. */
+static tr_result tr_i_arrange_sequence(tr_context *tr, const tr_frame *frame, const tr_dynamic *dynamic) {
+    tr_i_sequence *seq = &tr->seq;
+    int size[2];
+    size[0] = frame->width;
+    size[1] = frame->height;
+    tr_i_take_wishes(tr, dynamic);
+    if (!tr_i_order_units(tr, seq, dynamic))
+        return tr_i_fail(&tr->desc, TR_OUT_OF_MEMORY, "dynamic.units");
+    if (seq->exact) {
+        tr_i_arrange_masks(tr, dynamic, size);
+        tr_i_sort_masks(tr);
+        tr_i_add_exact_steps(tr, dynamic);
+        seq->wanted[3] = seq->peeled;
+    } else {
+        tr_i_arrange_units(tr, dynamic, size);
+        tr_i_add_steps(tr, dynamic);
+    }
+    tr_i_bound_masks(seq);
+    tr_i_add_blocks(tr, frame, dynamic);
+    if (seq->no_memory)
+        return tr_i_fail(&tr->desc, TR_OUT_OF_MEMORY, "dynamic.units");
+    tr_i_plan_sequence(tr, dynamic);
+    return TR_OK;
+}
+
+/* After tr_i_plan_see, which has placed the units. The state is as found afterwards: the scene comes first. */
+static tr_result tr_i_begin_sequence(tr_context *tr, const tr_frame *frame, const tr_dynamic *dynamic) {
+    tr_i_sequence *seq = &tr->seq;
+    tr_result result = TR_OK;
+    seq->step = 0;
+    if (frame->width > 0 && frame->height > 0)
+        result = tr_i_arrange_sequence(tr, frame, dynamic);
+    if (result != TR_OK || tr->see.plan.see == TR_SEE_OFF)
+        return result;
+    result = tr_i_check_see_target(tr);
+    if (result == TR_OK && tr_i_seq_needs_work(tr)) {
+        tr_i_save(tr, &tr->saved);
+        result = tr_i_seq_work(tr);
+        tr_i_restore(tr, &tr->saved);
+        tr->see.plan.bytes =
+            tr_i_seq_bytes(seq, tr_i_seq_needs(seq), seq->wanted); /* floats may have turned out not to be had */
+    }
+    if (result == TR_OK)
+        tr_i_upload_blocks(tr);
+    return result;
+}
+
 TR_I_API tr_result tr_begin_dynamic(tr_context *tr, const tr_frame *frame, const tr_dynamic *dynamic) {
     tr_frame used;
     tr_result result;
@@ -6670,6 +8817,7 @@ TR_I_API tr_result tr_begin_dynamic(tr_context *tr, const tr_frame *frame, const
     if (result != TR_OK)
         return result;
     tr->frame = used;
+    tr->seq.active = tr_i_is_sequence(dynamic->see);
     tr_i_plan_see(&tr->see, dynamic, frame->width, frame->height);
     tr_i_weigh_see(tr);
     if (tr->see.plan.see == TR_SEE_OFF)
@@ -6679,7 +8827,7 @@ TR_I_API tr_result tr_begin_dynamic(tr_context *tr, const tr_frame *frame, const
     tr->see.active = 1;
     tr->see.in_use = 0;
     tr->see.entered = TR_I_OUTSIDE;
-    result = tr_i_prepare_see(tr);
+    result = tr->seq.active ? tr_i_begin_sequence(tr, &used, dynamic) : tr_i_prepare_see(tr);
     tr->in_frame = result == TR_OK;
     return result;
 }
@@ -6690,12 +8838,18 @@ static void tr_i_fill_see_textures(const tr_i_see *see, tr_pass_kind kind, tr_st
     tr_i_u *depth = &state->textures[TR_I_SCENE_DEPTH], *mask = &state->textures[TR_I_OPAQUE_COLOR];
     tr_i_u *third = &state->textures[TR_I_MARK], *fourth = &state->textures[TR_I_CROSSINGS];
     switch (kind) {
+    case TR_PASS_BITS:
+        *mask = from[TR_I_SEE_MARK];
+        break;
     case TR_PASS_SPREAD_X:
+        *depth = from[TR_I_SEE_DEPTH];
+        *third = from[TR_I_SEE_BITS];
+        break;
     case TR_PASS_SPREAD_Y:
     case TR_PASS_FINISH:
         *depth = from[TR_I_SEE_DEPTH];
         *mask = from[TR_I_SEE_MARK];
-        *third = kind == TR_PASS_SPREAD_X ? 0 : from[kind == TR_PASS_SPREAD_Y ? TR_I_SEE_ROWS : TR_I_SEE_LOW];
+        *third = from[kind == TR_PASS_SPREAD_Y ? TR_I_SEE_ROWS : TR_I_SEE_LOW];
         *fourth = kind == TR_PASS_FINISH ? from[TR_I_SEE_LOW_DEPTH] : 0;
         break;
     case TR_PASS_PRIME:
@@ -6720,24 +8874,36 @@ static void tr_i_fill_see_textures(const tr_i_see *see, tr_pass_kind kind, tr_st
     }
 }
 
+/* The rectangle of masks with all that passes read around it, which has to be cleared as well. */
+static void tr_i_surroundings(const tr_i_see *see, int out[4]) {
+    const int *box = see->plan.rectangle;
+    int by = see->law.reach + 2 * see->law.divisor + 8, k;
+    for (k = 0; k < 2; ++k) {
+        int size = k ? see->height : see->width, first = box[k] - by, last = box[k] + box[k + 2] + by;
+        out[k] = first > 0 ? first : 0;
+        out[k + 2] = (last < size ? last : size) - out[k];
+    }
+}
+
 /* Viewport, and scissor to where masks are, of a framebuffer of ours. */
 static void tr_i_fill_see_extent(const tr_context *tr, int fbo, tr_state *state) {
     const tr_i_see *see = &tr->see;
-    const int *box = see->plan.rectangle;
     tr_i_see_format format;
-    int attached[2], across, up;
+    int attached[2], across, up, k;
     tr_i_see_attached(fbo, attached);
     format = tr_i_see_format_of(attached[0], 0);
-    across = format.across == 0 ? 1 : format.across == 1 ? see->divisor : 4;
-    up = format.up == 0 ? 1 : format.up == 1 ? see->divisor : 4;
+    across = tr_i_see_divisor(format.across, see->divisor);
+    up = tr_i_see_divisor(format.up, see->divisor);
     tr_i_see_size(&format, see->width, see->height, see->divisor, &state->viewport[2]);
     /* A whole scene reads the mask wherever it draws; texels of queries are not aligned with cells. */
     if ((fbo == TR_I_SEE_FBO_MASK && see->plan.see == TR_SEE_DITHER) || fbo == TR_I_SEE_FBO_QUERY)
         return;
-    state->scissor[0] = box[0] / across;
-    state->scissor[1] = box[1] / up;
-    state->scissor[2] = (box[0] + box[2] + across - 1) / across - state->scissor[0];
-    state->scissor[3] = (box[1] + box[3] + up - 1) / up - state->scissor[1];
+    tr_i_surroundings(see, state->scissor);
+    for (k = 0; k < 2; ++k) {
+        int divisor = k ? up : across, first = state->scissor[k] / divisor;
+        state->scissor[k + 2] = (state->scissor[k] + state->scissor[k + 2] + divisor - 1) / divisor - first;
+        state->scissor[k] = first;
+    }
 }
 
 static void tr_i_fill_see_bindings(const tr_context *tr, int index, tr_state *state) {
@@ -6788,6 +8954,7 @@ static void tr_i_fill_see_tests(const tr_context *tr, int index, tr_state *state
         state->clear_depth = index == 0 || tr->see.plan.passes[index - 1].kind != TR_PASS_BLOCK;
         state->clear_color = 1;
         break;
+    case TR_PASS_BITS:
     case TR_PASS_SPREAD_X:
         state->clear_color = 1;
         state->depth_test = state->depth_write = 0;
@@ -6830,6 +8997,8 @@ static void tr_i_leave_to_host(tr_context *tr, const tr_state *state) {
         tr_i_save_defaults(&saved);
     if (tr->desc.state != TR_STATE_LEAVE_DIRTY)
         tr_i_restore(tr, &saved);
+    else /* what it reads is not to be what is drawn into */
+        tr->gl.BindFramebuffer(TR_I_GL_DRAW_FRAMEBUFFER, state->framebuffer);
     tr->gl.GetIntegerv(TR_I_GL_ACTIVE_TEXTURE, &active);
     tr->gl.GetIntegerv(TR_I_GL_UNIFORM_BUFFER_BINDING, &buffer);
     tr_i_bind_textures(tr, state);
@@ -6873,8 +9042,264 @@ static void tr_i_apply_see(tr_context *tr, const tr_pass *pass) {
     tr_i_apply(tr, &pass->state);
 }
 
+/* ---- dynamic transparency: the passes of a sequence ---- */
+
+/* Textures that a pass reads, on the units of their kind. */
+static void tr_i_bind_step(const tr_i_sequence *seq, const tr_i_step *step, tr_state *state) {
+    const tr_i_u *textures = seq->textures;
+    int i;
+    for (i = 0; i < TR_TEXTURE_UNITS; ++i)
+        state->texture_targets[i] = tr_i_targets[i];
+    switch ((tr_pass_kind)step->kind) {
+    case TR_PASS_SEEDS:
+        state->textures[TR_I_MARK] = seq->has_block ? textures[TR_I_SEQ_BLOCK] : 0;
+        break;
+    case TR_PASS_ROWS:
+        state->textures[TR_I_SCENE_DEPTH] = textures[TR_I_SEQ_SEED];
+        break;
+    case TR_PASS_NEAREST:
+        state->textures[TR_I_SCENE_DEPTH] = textures[TR_I_SEQ_SEED];
+        state->textures[TR_I_OPAQUE_COLOR] = textures[TR_I_SEQ_ROWS];
+        break;
+    case TR_PASS_MASKS:
+        state->textures[TR_I_SCENE_DEPTH] = textures[TR_I_SEQ_SEED];
+        state->textures[TR_I_MARK] = textures[TR_I_SEQ_NEAREST];
+        state->textures[TR_I_CROSSINGS] = seq->counted ? textures[TR_I_SEQ_REMAINING] : 0;
+        break;
+    case TR_PASS_PAINT:
+        state->textures[TR_I_OPAQUE_COLOR] = textures[TR_I_SEQ_ALPHAS];
+        state->textures[TR_I_CROSSINGS] = seq->counted ? textures[TR_I_SEQ_REMAINING] : 0;
+        break;
+    case TR_PASS_PAINT_OVER:
+        state->textures[TR_I_SCENE_DEPTH] = textures[TR_I_SEQ_OWN_DEPTH];
+        state->textures[TR_I_OPAQUE_COLOR] = textures[TR_I_SEQ_OWN_COLOR];
+        break;
+    case TR_PASS_REACH:
+        state->textures[TR_I_SCENE_DEPTH] = textures[TR_I_SEQ_SEED];
+        state->textures[TR_I_MARK] = textures[TR_I_SEQ_NEAREST];
+        break;
+    case TR_PASS_PEEL_UNITS:
+        state->textures[TR_I_FRONT_DEPTH] = textures[step->layer & 1 ? TR_I_SEQ_EVEN : TR_I_SEQ_ODD];
+        state->textures[TR_I_FRONT_OWNER] = textures[TR_I_SEQ_CHAIN];
+        state->textures[TR_I_CROSSINGS] = textures[TR_I_SEQ_REACH];
+        break;
+    case TR_PASS_KEEP:
+        state->textures[TR_I_FRONT_DEPTH] = textures[step->layer & 1 ? TR_I_SEQ_EVEN : TR_I_SEQ_ODD];
+        state->textures[TR_I_ODD_DEPTH] = textures[step->layer & 1 ? TR_I_SEQ_ODD : TR_I_SEQ_EVEN];
+        state->textures[TR_I_OPAQUE_COLOR] = textures[TR_I_SEQ_CODE];
+        state->textures[TR_I_CROSSINGS] = textures[TR_I_SEQ_REACH];
+        break;
+    case TR_PASS_SHARE:
+        state->textures[TR_I_FRONT_DEPTH] = textures[TR_I_SEQ_EVEN];
+        state->textures[TR_I_ODD_DEPTH] = textures[TR_I_SEQ_ODD];
+        state->textures[TR_I_FRONT_OWNER] = textures[TR_I_SEQ_CHAIN];
+        state->textures[TR_I_SCENE_DEPTH] = textures[TR_I_SEQ_SEED];
+        state->textures[TR_I_MARK] = textures[TR_I_SEQ_NEAREST];
+        break;
+    case TR_PASS_COMPOSE_LAYERS:
+        state->textures[TR_I_FRONT_DEPTH] = textures[TR_I_SEQ_LAYER_ALPHAS];
+        state->textures[TR_I_FRONT_OWNER] = textures[TR_I_SEQ_CHAIN];
+        state->textures[TR_I_LAYER_COLOR] = textures[TR_I_SEQ_LAYER_COLOR];
+        state->textures[TR_I_CROSSINGS] = textures[TR_I_SEQ_REACH];
+        break;
+    default:
+        break;
+    }
+}
+
+/* The framebuffer of a step; -1: the host's. */
+static int tr_i_step_fbo(const tr_i_step *step) {
+    switch ((tr_pass_kind)step->kind) {
+    case TR_PASS_BLOCK:
+        return TR_I_SEQ_FBO_BLOCK;
+    case TR_PASS_WIPE:
+    case TR_PASS_SEEDS:
+        return TR_I_SEQ_FBO_SEED;
+    case TR_PASS_ROWS:
+        return TR_I_SEQ_FBO_ROWS;
+    case TR_PASS_NEAREST:
+        return TR_I_SEQ_FBO_NEAREST;
+    case TR_PASS_MASKS:
+        return TR_I_SEQ_FBO_ALPHAS;
+    case TR_PASS_COUNT:
+        return TR_I_SEQ_FBO_COUNTS;
+    case TR_PASS_PAINT_DEPTH:
+        /* The first of each sweep clears the colour that is attached. */
+        return !step->own ? -1 : step->subtract ? TR_I_SEQ_FBO_OWN : TR_I_SEQ_FBO_COUNTS;
+    case TR_PASS_PAINT:
+        return step->own ? TR_I_SEQ_FBO_OWN : -1;
+    case TR_PASS_REACH:
+        return TR_I_SEQ_FBO_REACH;
+    case TR_PASS_PEEL_UNITS:
+        return TR_I_SEQ_FBO_PEEL + step->layer;
+    case TR_PASS_KEEP:
+        return TR_I_SEQ_FBO_KEEP + step->layer;
+    case TR_PASS_SHARE:
+        return TR_I_SEQ_FBO_SHARE + step->layer;
+    default:
+        return -1;
+    }
+}
+
+/* Viewport, and scissor to where masks are, in texels of what is drawn into. */
+static void tr_i_step_extent(const tr_i_sequence *seq, int fbo, tr_state *state) {
+    int attached[3], slices[3], size[3], texture, across, up;
+    const int *box = seq->bounds;
+    tr_i_seq_attachments(fbo, attached, slices);
+    texture = attached[1] >= 0 ? attached[1] : attached[0];
+    tr_i_seq_size(texture, seq->extent, size);
+    across = texture == TR_I_SEQ_ROWS || texture == TR_I_SEQ_NEAREST ? seq->extent[2] : 1;
+    up = texture == TR_I_SEQ_NEAREST ? seq->extent[2] : 1;
+    state->viewport[2] = size[0];
+    state->viewport[3] = size[1];
+    /* Boxes of cells reach a cell further; what units are painted into, and what they read there, is whole. */
+    if (across > 1 || fbo == TR_I_SEQ_FBO_ALPHAS || fbo == TR_I_SEQ_FBO_OWN || fbo == TR_I_SEQ_FBO_COUNTS)
+        return;
+    state->scissor[0] = box[0] / across;
+    state->scissor[1] = box[1] / up;
+    state->scissor[2] = (box[2] + across - 1) / across - state->scissor[0];
+    state->scissor[3] = (box[3] + up - 1) / up - state->scissor[1];
+}
+
+static void tr_i_place_step(const tr_context *tr, const tr_i_step *step, tr_state *state) {
+    const tr_i_sequence *seq = &tr->seq;
+    int fbo = tr_i_step_fbo(step), program = tr_i_seq_program(seq, step);
+    tr_pass_kind kind = (tr_pass_kind)step->kind;
+    state->framebuffer = fbo >= 0 ? seq->fbos[fbo] : tr->frame.framebuffer;
+    state->viewport[0] = fbo >= 0 ? 0 : tr->frame.x;
+    state->viewport[1] = fbo >= 0 ? 0 : tr->frame.y;
+    state->viewport[2] = tr->frame.width;
+    state->viewport[3] = tr->frame.height;
+    if (kind == TR_PASS_COMPOSE_LAYERS) {
+        state->scissor[0] = tr->frame.x + seq->bounds[0];
+        state->scissor[1] = tr->frame.y + seq->bounds[1];
+        state->scissor[2] = seq->bounds[2] - seq->bounds[0];
+        state->scissor[3] = seq->bounds[3] - seq->bounds[1];
+    } else if (fbo >= 0) {
+        tr_i_step_extent(seq, fbo, state);
+    }
+    state->program = tr->programs[tr_i_step_program(seq, step)].name;
+    if (program >= 0) {
+        state->vertex_array = tr->vertex_array;
+        state->vertex_count = step->count ? 6 * (int)step->count : 3;
+    }
+    state->first_texture_unit = tr->desc.first_texture_unit;
+    tr_i_bind_step(seq, step, state);
+    state->uniform_buffer = seq->buffer;
+    state->uniform_binding = tr->desc.uniform_binding;
+    state->uniform_offset = (int)(step->block * TR_I_SEQ_STRIDE);
+    state->uniform_size = TR_I_SEQ_STRIDE;
+    state->srgb = fbo < 0 && (tr->frame.wishes.options & TR_WISH_SRGB);
+}
+
+static void tr_i_blend_step(const tr_i_sequence *seq, const tr_i_step *step, tr_state *state) {
+    state->blend = 1;
+    switch ((tr_pass_kind)step->kind) {
+    case TR_PASS_MASKS:
+    case TR_PASS_SHARE:
+        state->blend_equation = seq->product ? 0 : TR_I_GL_MIN;
+        state->blend_source = state->blend_source_alpha = seq->product ? TR_I_GL_ZERO : TR_I_GL_ONE;
+        state->blend_destination = state->blend_destination_alpha = seq->product ? TR_I_GL_SRC_COLOR : TR_I_GL_ONE;
+        break;
+    case TR_PASS_COUNT:
+        state->blend_equation = step->subtract ? TR_I_GL_FUNC_REVERSE_SUBTRACT : 0;
+        state->blend_source = state->blend_source_alpha = TR_I_GL_ONE;
+        state->blend_destination = state->blend_destination_alpha = TR_I_GL_ONE;
+        break;
+    case TR_PASS_PAINT: /* into our own: premultiplied, with alpha; the host's alpha is left alone */
+        state->blend_source = TR_I_GL_SRC_ALPHA;
+        state->blend_destination = TR_I_GL_ONE_MINUS_SRC_ALPHA;
+        state->blend_source_alpha = step->own ? TR_I_GL_ONE : TR_I_GL_ZERO;
+        state->blend_destination_alpha = step->own ? TR_I_GL_ONE_MINUS_SRC_ALPHA : TR_I_GL_ONE;
+        break;
+    case TR_PASS_COMPOSE_LAYERS:
+        state->blend_source_alpha = TR_I_GL_ZERO;
+        state->blend_destination_alpha = TR_I_GL_ONE;
+        break;
+    case TR_PASS_PAINT_OVER:
+        state->blend_source = TR_I_GL_ONE;
+        state->blend_destination = TR_I_GL_ONE_MINUS_SRC_ALPHA;
+        state->blend_source_alpha = TR_I_GL_ZERO;
+        state->blend_destination_alpha = TR_I_GL_ONE;
+        break;
+    default:
+        state->blend = 0;
+        break;
+    }
+}
+
+static void tr_i_clear_step(tr_pass_kind kind, int reversed, int colors, tr_state *state) {
+    int nearest = kind == TR_PASS_REACH, i;
+    state->clear_color = kind == TR_PASS_MASKS || kind == TR_PASS_SHARE || kind == TR_PASS_PAINT_DEPTH;
+    state->clear_depth = !colors;
+    state->clear_depth_value = reversed == nearest ? 1.0f : 0.0f;
+    for (i = 0; i < 4 && colors; ++i)
+        state->clear_color_value[i] = 1.0f;
+}
+
+static void tr_i_test_step(const tr_context *tr, const tr_i_step *step, tr_state *state) {
+    int reversed = tr->desc.reversed_z;
+    tr_i_u nearer = reversed ? TR_I_GL_GREATER : TR_I_GL_LESS;
+    tr_pass_kind kind = (tr_pass_kind)step->kind;
+    int colors = kind == TR_PASS_ROWS || kind == TR_PASS_NEAREST || kind == TR_PASS_MASKS || kind == TR_PASS_KEEP ||
+                 kind == TR_PASS_SHARE || kind == TR_PASS_COMPOSE_LAYERS;
+    int later = kind == TR_PASS_PAINT || kind == TR_PASS_COUNT;
+    state->blend_source = state->blend_source_alpha = TR_I_GL_ONE;
+    state->front_face = tr->desc.front_face_cw ? TR_I_GL_CW : TR_I_GL_CCW;
+    state->color_write = colors || later || kind == TR_PASS_PAINT_OVER || kind == TR_PASS_PEEL_UNITS;
+    state->depth_test = state->depth_write = !colors;
+    state->depth_func = nearer;
+    state->cull_face = tr_i_seq_program(&tr->seq, step) < 0 ? TR_I_GL_BACK : 0;
+    if (kind == TR_PASS_WIPE || kind == TR_PASS_PAINT_OVER)
+        state->depth_func = kind == TR_PASS_WIPE ? TR_I_GL_ALWAYS : reversed ? TR_I_GL_GEQUAL : TR_I_GL_LEQUAL;
+    if (kind == TR_PASS_REACH)
+        state->depth_func = reversed ? TR_I_GL_LESS : TR_I_GL_GREATER;
+    if (later && !step->hollow) {
+        state->depth_func = TR_I_GL_EQUAL;
+        state->depth_write = 0;
+    }
+    if (kind == TR_PASS_COUNT && step->hollow && step->subtract)
+        state->depth_write = 0;
+    if (step->clear)
+        tr_i_clear_step(kind, reversed, colors, state);
+    tr_i_blend_step(&tr->seq, step, state);
+}
+
+static void tr_i_fill_step(tr_context *tr, const tr_i_step *step, tr_pass *pass) {
+    const tr_i_sequence *seq = &tr->seq;
+    const tr_i_array *list = step->kind == (uint8_t)TR_PASS_SCENE ? &seq->scene : &seq->list;
+    memset(pass, 0, sizeof *pass);
+    pass->kind = (tr_pass_kind)step->kind;
+    pass->rule = (tr_rule)step->rule;
+    pass->name = tr_pass_kind_name(pass->kind);
+    if (tr_i_seq_program(seq, step) < 0) {
+        pass->units = (const uint32_t *)list->items + step->first;
+        pass->unit_count = step->count;
+    }
+    if (pass->kind == TR_PASS_SCENE)
+        return;
+    tr_i_place_step(tr, step, &pass->state);
+    tr_i_test_step(tr, step, &pass->state);
+}
+
+static int tr_i_next_step(tr_context *tr, tr_pass *pass) {
+    tr_i_sequence *seq = &tr->seq;
+    while (seq->step < seq->steps.count) {
+        tr_i_fill_step(tr, (const tr_i_step *)seq->steps.items + seq->step++, pass);
+        tr_i_apply_see(tr, pass);
+        if (tr->desc.state == TR_STATE_NONE || pass->state.vertex_count == 0)
+            return 1;
+        tr_i_draw_triangle(tr, &pass->state);
+    }
+    return 0;
+}
+
+/* ---- dynamic transparency: the passes of all rungs ---- */
+
 static int tr_i_next_see_pass(tr_context *tr, tr_pass *pass) {
     tr_i_see *see = &tr->see;
+    if (tr->seq.active && see->plan.see != TR_SEE_OFF)
+        return tr_i_next_step(tr, pass);
     while (see->step < see->plan.pass_count) {
         int index = see->step++;
         const tr_see_pass *planned = &see->plan.passes[index];

@@ -2,12 +2,14 @@
  * peeling, dual depth peeling and weighted blending of the same fragments.
  *
  * usage: oit [FILE.csv]       BENCH=quick: fewer frames and one size
+ * BENCH_SCENES=FOLDER writes the scenes there, and what they should look like, for bench/vtk_transparency.py.
  *
  * Milliseconds are medians of whole frames by the wall clock around glFinish, the subjects of a scene in turn, so that
  * what else the machine does falls on all. error_max is in 1/255 against the reference in double precision, pixels near
  * edges left out. */
-#include "../tests/oit_scene.h"
+#include "../tests/oit_models.h"
 #include "bench.h"
+#include "load_model.h"
 
 enum { MAX_FRAMES = 31 };
 
@@ -283,6 +285,44 @@ static void draw_oit(stage *s, subject *self) {
 
 /* ---- measuring ---- */
 
+/* A scene of the standard camera, or of none, as vtk_transparency.py reads it: without a camera z points away from the
+ * eye here and toward it there. Beside it rgb of each pixel and whether it is left out. */
+static void write_scene(const oit_scene *s, const char *name, const oit_truth *truth) {
+    char path[1024];
+    const char *folder = getenv("BENCH_SCENES");
+    uint32_t size = (uint32_t)s->scene.width, head[3] = {size, s->scene.projection[11] != 0, (uint32_t)s->count};
+    if (!folder)
+        return;
+    snprintf(path, sizeof path, "%s/%s.scene", folder, name);
+    FILE *file = fopen(path, "wb");
+    if (!file)
+        return;
+    fwrite(head, sizeof head, 1, file);
+    for (size_t i = 0; i < s->count; ++i) {
+        const ref_object *t = &s->truths[i];
+        const uint32_t counts[2] = {(uint32_t)t->vertex_count, (uint32_t)t->triangle_count};
+        const float color[4] = {(float)t->color[0], (float)t->color[1], (float)t->color[2], (float)t->alpha};
+        fwrite(counts, sizeof counts, 1, file);
+        fwrite(color, sizeof color, 1, file);
+        for (size_t v = 0; v < t->vertex_count; ++v) {
+            float p[3] = {t->positions[3 * v], t->positions[3 * v + 1], t->positions[3 * v + 2]};
+            p[2] = head[1] ? p[2] : -p[2];
+            fwrite(p, sizeof p, 1, file);
+        }
+        fwrite(t->indices, 3 * sizeof(uint32_t), t->triangle_count, file);
+    }
+    fclose(file);
+    snprintf(path, sizeof path, "%s/%s.truth", folder, name);
+    file = truth ? fopen(path, "wb") : NULL;
+    for (size_t i = 0; file && i < size * size; ++i) {
+        const float out[4] = {(float)truth[i].color[0], (float)truth[i].color[1], (float)truth[i].color[2],
+                              (float)truth[i].left_out};
+        fwrite(out, sizeof out, 1, file);
+    }
+    if (file)
+        fclose(file);
+}
+
 static void measure(stage *s, subject *subjects, size_t count, const char *name, int frames, FILE *csv) {
     static double times[16][MAX_FRAMES];
     size_t pixels = (size_t)s->size * (size_t)s->size;
@@ -291,6 +331,8 @@ static void measure(stage *s, subject *subjects, size_t count, const char *name,
     double unit = 0;
     bool known = is_quick() || s->size > 600 ? false : (oit_truth_render(&s->scene, truth), true);
     int taken[16] = {0};
+    if (s->size <= 600 && !strchr(name, '.'))
+        write_scene(&s->scene, name, known ? truth : NULL);
     for (int frame = -1; frame < frames; ++frame)
         for (size_t i = 0; i < count; ++i) {
             /* What takes seconds is noisy by less: of that a few frames are enough. */
@@ -325,14 +367,14 @@ static void measure(stage *s, subject *subjects, size_t count, const char *name,
     free(truth);
 }
 
-/* Dual peeling is given the number of passes that it needs, which it would have to ask for. */
-static int find_passes(stage *s, oit_context *oit) {
+/* What the scene is like. Dual peeling is given the number of passes that it needs, which it would have to ask for. */
+static oit_report look(stage *s, oit_context *oit) {
     oit_frame frame = oit_scene_frame(&s->scene, s->framebuffer);
     oit_report report = {0};
     clear(s);
     oit_scene_render(&s->scene, oit, &frame, NULL);
     oit_get_report(oit, &report);
-    return (int)report.deepest / 2 + 1;
+    return report;
 }
 
 /* Where the time goes: each pass of OIT_STATE_NONE by itself, glFinish after each. */
@@ -361,6 +403,37 @@ static void measure_phases(stage *s, oit_context *oit, int frames) {
     }
     for (int k = 0; k < OIT_PASS_KIND_COUNT; ++k)
         printf("    %-8s %8.2f ms\n", oit_pass_kind_name((oit_pass_kind)k), p.sums[k] / frames);
+}
+
+static const struct {
+    const char *name; /* with a dot: a file of ../shared/models */
+    int sheets, concentric, balls, rings;
+} scenes[] = {{"sheets16", 16, 0, 0, 0},      {"sheets32", 32, 0, 0, 0}, {"concentric32", 0, 32, 0, 64},
+              {"random16", 0, 0, 16, 127},    {"robot.glb", 0, 0, 0, 0}, {"skull.obj", 0, 0, 0, 0},
+              {"chair_model.obj", 0, 0, 0, 0}};
+
+/* Scene number i; false: there are no more. A file that is not there leaves it empty. */
+static bool make_scene(oit_scene *s, size_t i, int size) {
+    if (i >= sizeof scenes / sizeof scenes[0])
+        return false;
+    oit_scene_init(s, size, size);
+    if (scenes[i].sheets) {
+        oit_scene_sheets(s, scenes[i].sheets, 0.2, false);
+    } else if (scenes[i].concentric) {
+        oit_scene_concentric(s, scenes[i].concentric, scenes[i].rings, 0.1);
+    } else if (scenes[i].balls) {
+        oit_scene_random_balls(s, scenes[i].balls, scenes[i].rings, 0.4);
+    } else {
+        char path[1024], message[256];
+        const char *folder = getenv("GLASSINE_MODELS");
+        load_report report;
+        snprintf(path, sizeof path, "%s/%s", folder ? folder : "../shared/models", scenes[i].name);
+        scene *model = load_model(path, &report, message, sizeof message);
+        if (model)
+            oit_scene_of_model(s, model, size);
+        scene_destroy(model);
+    }
+    return true;
 }
 
 int main(int argc, char **argv) {
@@ -403,28 +476,25 @@ int main(int argc, char **argv) {
     }
     oit_desc raw_desc = {.get_proc = oit_scene_get_proc, .fit = OIT_FIT_ASYNC, .state = OIT_STATE_NONE};
     oit_context *raw = oit_create(&raw_desc, NULL);
-    static const struct {
-        const char *name;
-        int sheets, concentric, balls, rings;
-    } scenes[] = {{"sheets16", 16, 0, 0, 0},
-                  {"sheets32", 32, 0, 0, 0},
-                  {"concentric32", 0, 32, 0, 64},
-                  {"random16", 0, 0, 16, 127}};
     for (int size = 512; size <= (is_quick() ? 512 : 1000); size += 488) {
         make_target(&s, size);
         make_peers(&s);
-        for (size_t i = 0; i < sizeof scenes / sizeof scenes[0]; ++i) {
-            oit_scene_init(&s.scene, size, size);
-            if (scenes[i].sheets)
-                oit_scene_sheets(&s.scene, scenes[i].sheets, 0.2, false);
-            else if (scenes[i].concentric)
-                oit_scene_concentric(&s.scene, scenes[i].concentric, scenes[i].rings, 0.1);
-            else
-                oit_scene_random_balls(&s.scene, scenes[i].balls, scenes[i].rings, 0.4);
-            printf("%s: %zu triangles\n", scenes[i].name, s.scene.triangles);
-            s.dual_passes = find_passes(&s, subjects[1].oit);
-            measure(&s, subjects, count, scenes[i].name, is_quick() ? 5 : 15, csv);
+        for (size_t i = 0; make_scene(&s.scene, i, size); ++i) {
+            const char *name = scenes[i].name;
+            if (s.scene.count == 0) {
+                printf("%s: skipped, no such file\n", name);
+                continue;
+            }
+            oit_report report = look(&s, subjects[1].oit);
+            s.dual_passes = (int)report.deepest / 2 + 1;
+            printf("%s: %zu triangles, %u fragments, deepest %u\n", name, s.scene.triangles, report.needed,
+                   report.deepest);
+            measure(&s, subjects, count, name, is_quick() ? 5 : 15, csv);
             measure_phases(&s, raw, 5);
+            /* The floor: each record written once and read once; each pixel's two words cleared, counted, summed, spread,
+             * taken and read. */
+            printf("    floor    %8.1f MB of records, %.1f MB of pixels\n",
+                   2e-6 * report.needed * oit_get_info(raw).fragment_bytes, 1e-6 * size * size * 8 * 6);
             oit_scene_drop(&s.scene);
         }
     }

@@ -67,6 +67,9 @@ static const char *const HELP[] = {
     "                           published\n"
     "  --interior HOW           auto (default): explicit where transparent parts have inner walls, else implicit;\n"
     "                           implicit; explicit; published: with the paper's faults; layers:N: the N closest\n"
+    "  --glass LAW[:OPACITY]    constant (default): each layer of --style glass hides OPACITY, 0 to 1, default 0.3;\n"
+    "                           adaptive: all layers of a pixel do together, however many; default 0.7. Parts that are\n"
+    "                           see-through in the file keep their own\n"
     "  --group PART[,PART...]   transparent parts that show through each other; several --group are several groups\n"
     "  --group-distance D       only where closer than D along the view\n"
     "  --enter SHADE            darken opaque parts where they enter transparent ones, 0 to 1\n"
@@ -436,6 +439,19 @@ static int set_group_distance(options *o, const char *value) {
     return DONE;
 }
 
+static int set_glass(options *o, const char *value) {
+    static const char *const words[] = {"constant", "adaptive", NULL};
+    size_t length = strcspn(value, ":");
+    int law = read_word(value, length, words);
+    double opacity = 0;
+    if (law < 0 || (value[length] == ':' &&
+                    (!read_number(value + length + 1, strlen(value + length + 1), 0, 1, &opacity) || opacity <= 0)))
+        return misused("--glass %s: not constant or adaptive, and after a colon a number above 0 and up to 1", value);
+    o->job.adaptive = law == 1;
+    o->job.opacity = (float)opacity;
+    return DONE;
+}
+
 static int set_enter(options *o, const char *value) {
     double shade;
     if (!read_number(value, strlen(value), 0, 1, &shade))
@@ -584,6 +600,7 @@ static const option OPTIONS[] = {{"--output", true, set_output},
                                  {"--blend", true, set_blend},
                                  {"--weights", true, set_weights},
                                  {"--interior", true, set_interior},
+                                 {"--glass", true, set_glass},
                                  {"--group", true, set_group},
                                  {"--group-distance", true, set_group_distance},
                                  {"--enter", true, set_enter},

@@ -1171,6 +1171,7 @@ static bool start_glass(renderer *r, oit_proc (*get_proc)(const char *)) {
     desc.log_fn = oit_said;
     desc.log_user = (void *)(uintptr_t)r->job;
     desc.state = OIT_STATE_LEAVE_DEFAULTS;
+    desc.alpha_law = r->job->adaptive ? OIT_ALPHA_ADAPTIVE : OIT_ALPHA_CONSTANT;
     r->oit = oit_create(&desc, &result);
     if (!r->oit)
         return broken(r, "--style glass: %s; --style hodges needs less", oit_result_string(result));
@@ -1192,7 +1193,10 @@ static void draw_glass_surface(renderer *r, const oit_pass *pass, const figure *
     normal_matrix(f->model_view, material.normal_matrix);
     for (int k = 0; k < 3; ++k)
         material.color[k] = s->colors ? 0.0f : f->part->color[k];
-    material.color[3] = f->part->opacity < 1.0f ? f->part->opacity : 0.3f;
+    material.color[3] = f->part->opacity < 1.0f  ? f->part->opacity
+                        : r->job->opacity > 0.0f ? r->job->opacity
+                        : r->job->adaptive       ? 0.7f
+                                                 : 0.3f;
     oit_set_material(r->oit, pass, &material);
     glBindVertexArray(f->array);
     glDrawElements(GL_TRIANGLES, (GLsizei)s->index_count, GL_UNSIGNED_INT, NULL);

@@ -54,6 +54,8 @@ typedef struct illustrate_job {
     int layers;                  /* of INTERIOR_LAYERS, 1 to 8 */
     const unsigned char *groups; /* per part, 1 to 127, 0: of none; transparent parts of one show through each other */
     double group_distance;       /* along the view, units of the scene; 0: however far */
+    bool adaptive;               /* STYLE_GLASS: the layers of a pixel hide together what one would, however many */
+    float opacity;               /* STYLE_GLASS: of parts that the file has opaque, 0 to 1; 0: 0.3, adaptive 0.7 */
     float enter;                 /* shade taken from opaque parts where they enter transparent ones, 0 to 1 */
     bool explain, verbose;       /* explain: fill explain_json; verbose: lines about the path taken may go to stderr */
     void (*progress)(const char *what, double fraction, void *user); /* may be NULL; fraction 0 to 1 */

@@ -1,6 +1,6 @@
 // For: oit_buffers.h
-// The pixels whose runs have at most OIT_CLASS records and are too deep for the program drawn before, composed over the target; with OIT_DEEP
-// all that are deeper than the programs that were drawn before, OIT_CLASS records at a time.
+// The pixels whose runs have at most OIT_CLASS records and are too deep for the program drawn before, composed over the
+// target; with OIT_DEEP all that are deeper than the programs that were drawn before, OIT_CLASS records at a time.
 #if OIT_MODE == OIT_MODE_DUAL
 layout(location = 0, index = 0) out highp vec4 oit_out;
 layout(location = 0, index = 1) out highp vec4 oit_keep;
@@ -75,6 +75,9 @@ void main()
 #else
     if (n <= oit_above[OIT_INDEX] || n > uint(OIT_CLASS))
         discard;
+#endif
+#if OIT_ADAPTIVE
+    oit_count_layers((start - oit_pool.y) * uint(OIT_VECTORS), n);
 #endif
     oit_lay_run((start - oit_pool.y) * uint(OIT_VECTORS), n);
 #if OIT_KEEPS

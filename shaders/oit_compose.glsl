@@ -9,6 +9,67 @@
 vec3 oit_sum = vec3(0.0);
 OIT_THROUGH oit_through = OIT_THROUGH(1.0);
 
+#if OIT_ADAPTIVE
+// Adaptive transparency (Carnecky 2013, equation 5): each of a pixel's n layers gets 1 - (1 - s)^(1/n), so that together they
+// hide as much as one of opacity s, however many there are. Here s is a fragment's own alpha. Layers are what that changes:
+// neither light that is added nor filters, nor what is opaque, nor what lies behind that.
+float oit_layers = 1.0;
+
+// Alpha, where the record is laid over what is behind it, else 0; and how much of what is composed it covers.
+float oit_over_alpha(uint at, out float part)
+{
+    uvec4 r, q;
+    oit_load(at, r, q);
+    part = 1.0;
+#if OIT_COVERED == OIT_BY_SAMPLE
+    part = float(OIT_COVERAGE_OF(OIT_SORTED_WORD(OIT_AT_COVERAGE)) >> uint(gl_SampleID) & 1u);
+#elif OIT_COVERED == OIT_BY_SHARE
+    part = OIT_SHARE(OIT_COVERAGE_OF(OIT_SORTED_WORD(OIT_AT_COVERAGE)));
+#endif
+#if OIT_HAS_BLEND && OIT_COLOR == OIT_COLOR_8
+    if (OIT_SORTED_WORD(OIT_AT_COLOR) >> 30u != 0u)
+        return 0.0;
+#elif OIT_HAS_BLEND
+    if ((OIT_SORTED_WORD(OIT_AT_BLEND) & 255u) != 0u)
+        return 0.0;
+#endif
+    return oit_unpack_color(oit_color_words(r, q)).a;
+}
+
+void oit_count_layers(uint base, uint n)
+{
+    uint wall = OIT_NONE;
+    float part;
+    for (uint i = 0u; i < n; ++i) {
+        uint at = base + i * uint(OIT_VECTORS);
+        if (oit_over_alpha(at, part) >= 1.0 && part == 1.0)
+            wall = min(wall, oit_record_depth(at));
+    }
+    oit_layers = 0.0;
+    for (uint i = 0u; i < n; ++i) {
+        uint at = base + i * uint(OIT_VECTORS);
+        float alpha = oit_over_alpha(at, part);
+        if (alpha > 0.0 && alpha < 1.0 && oit_record_depth(at) < wall)
+            oit_layers += part;
+    }
+}
+
+// 1 - (1 - alpha)^(1/n) = 1 - e^(log(1 - alpha) / n); by series where the plain functions lose their digits, or are none
+// too good on some drivers: log(1 - a) = -2 artanh(a / (2 - a)).
+float oit_adapt(float alpha)
+{
+    if (!(alpha > 0.0 && alpha < 1.0 && oit_layers > 1.0))
+        return alpha;
+    float z = alpha / (2.0 - alpha), y = z * z, t = log(1.0 - alpha);
+    if (alpha < 0.5)
+        t = -2.0 * z * (1.0 + y * (1.0 / 3.0 + y * (1.0 / 5.0 + y * (1.0 / 7.0 + y * (1.0 / 9.0 + y * (1.0 / 11.0 + y / 13.0))))));
+    t /= oit_layers;
+    if (t < -0.3)
+        return 1.0 - exp(t);
+    return -t * (1.0 + t / 2.0 * (1.0 + t / 3.0 * (1.0 + t / 4.0 * (1.0 + t / 5.0 * (1.0 + t / 6.0 * (1.0 + t / 7.0))))));
+}
+#endif
+
 void oit_lay(uvec4 r, uvec4 q)
 {
 #if OIT_COVERED == OIT_BY_SAMPLE
@@ -17,6 +78,17 @@ void oit_lay(uvec4 r, uvec4 q)
 #endif
     uvec4 words = oit_color_words(r, q);
     vec4 color = oit_unpack_color(words);
+#if OIT_ADAPTIVE && OIT_HAS_BLEND && OIT_COLOR == OIT_COLOR_8
+    float adapted = words.x >> 30u == 0u ? oit_adapt(color.a) : color.a;
+#elif OIT_ADAPTIVE && OIT_HAS_BLEND
+    float adapted = (OIT_SORTED_WORD(OIT_AT_BLEND) & 255u) == 0u ? oit_adapt(color.a) : color.a;
+#elif OIT_ADAPTIVE
+    float adapted = oit_adapt(color.a);
+#endif
+#if OIT_ADAPTIVE
+    if (adapted != color.a)
+        color = vec4(color.rgb * (OIT_PREMULTIPLIED == 1 ? adapted / color.a : 1.0), adapted);
+#endif
 #if OIT_COVERED == OIT_BY_SHARE
     color *= vec4(vec3(OIT_PREMULTIPLIED == 1 ? OIT_SHARE(OIT_COVERAGE_OF(OIT_SORTED_WORD(OIT_AT_COVERAGE))) : 1.0),
                   OIT_SHARE(OIT_COVERAGE_OF(OIT_SORTED_WORD(OIT_AT_COVERAGE))));
@@ -93,16 +165,20 @@ uint oit_order[OIT_CLASS + 1];
 // By all their words, so that two of which neither comes after the other are alike: ties need no further care.
 bool oit_words_after(uvec4 a, uvec4 b, bool more)
 {
-    return a.x > b.x || (a.x == b.x && (a.y > b.y || (a.y == b.y && (a.z > b.z || (a.z == b.z && (a.w > b.w || (a.w == b.w && more)))))));
+    bool w = a.w > b.w || (a.w == b.w && more);
+    bool z = a.z > b.z || (a.z == b.z && w);
+    bool y = a.y > b.y || (a.y == b.y && z);
+    return a.x > b.x || (a.x == b.x && y);
 }
 
 // What oit_i_put_network writes is made of these: registers r and q (oit_load), swapped where they are in the wrong order,
 // then laid. Each record is read once; what is not there comes after all that is, and has no colour and no alpha.
 #define L(r, q, i) uvec4 r = uvec4(OIT_NONE, 0u, 0u, 0u), q = uvec4(0u); if (i < n) oit_load(base + i * uint(OIT_VECTORS), r, q);
+#define X(r, u, g) { uvec4 t = g ? u : r; u = g ? r : u; r = t; }
 #if OIT_SORTED > 4
-#define S(r, q, u, v) { bool g = oit_words_after(r, u, oit_words_after(q, v, false)); uvec4 t = g ? u : r; u = g ? r : u; r = t; t = g ? v : q; v = g ? q : v; q = t; }
+#define S(r, q, u, v) { bool g = oit_words_after(r, u, oit_words_after(q, v, false)); X(r, u, g) X(q, v, g) }
 #else
-#define S(r, q, u, v) { bool g = oit_words_after(r, u, false); uvec4 t = g ? u : r; u = g ? r : u; r = t; }
+#define S(r, q, u, v) { bool g = oit_words_after(r, u, false); X(r, u, g) }
 #endif
 #define Y(r, q, i) oit_lay(r, q);
 #endif

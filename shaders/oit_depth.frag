@@ -13,6 +13,9 @@ void main()
     uint base, n, at = OIT_NONE;
     if (!oit_find_run(uint(where.y) * uint(oit_area.z) + uint(where.x), base, n))
         discard;
+#if OIT_ADAPTIVE
+    oit_count_layers(base, n);
+#endif
     for (uint i = 0u; i < n; ++i) {
         at = oit_next(base, n, at);
         oit_lay(at);

@@ -7,7 +7,7 @@ layout(std140, binding = OIT_UNIFORM_BINDING) uniform oit_frame
     highp uvec4 oit_step;  // x: 1 with the first slab of a frame, y: what is deeper is left to the program for all depths,
                            // w: k of the stores that keep the k nearest; of others 1 where the fragments are stored before
                            // they are counted, 2 where they are stored again; of fetch how many passes there are, if known
-    highp uvec4 oit_above; // what is not deeper than this is left to the program before: of up to 8, 16, 32, 64
+    highp uvec4 oit_above; // what is not deeper than this is left to the program before: of up to 8, 16, 32
     highp vec4 oit_light;  // xyz: toward the light, unit length; zero: no shading. w: weight of the background
     highp vec4 oit_output; // x: transmittance below which the depth of the composite is taken
     highp ivec4 oit_part;          // x, y of the corner in the target, width and height of what is filled and composed now
@@ -25,7 +25,7 @@ layout(std140, binding = OIT_UNIFORM_BINDING) uniform oit_frame
 #define OIT_EXTRA 4u       // fragments that the fill met and the count had not
 #define OIT_TOTAL 5u       // fragments of this slab
 #define OIT_TAKEN 6u       // OIT_STORE_LINKED: records taken of the list
-#define OIT_PIXELS 8u      // from here on, by power of two: pixels of up to 8, 16, 32, 64 fragments, and of more
+#define OIT_PIXELS 8u      // from here on, by power of two: pixels of up to 8, 16, 32 fragments, and of more
 #define OIT_HEADER 16u
 #define OIT_START(p) (OIT_HEADER + 2u * (p))
 #define OIT_LEFT(p) (OIT_HEADER + 1u + 2u * (p))

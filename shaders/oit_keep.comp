@@ -5,7 +5,7 @@
 layout(local_size_x = 128) in;
 layout(std430, binding = OIT_BINDING_PIXELS) buffer oit_pixels { uint oit_pixel[]; };
 shared uint oit_all[5];     // needed, deepest, lost pixels, lost fragments
-shared uint oit_classes[5]; // pixels by how many fragments are kept
+shared uint oit_classes[4]; // pixels by how many fragments are kept
 
 uint oit_kept(uint p, uint count)
 {
@@ -33,14 +33,14 @@ void oit_keep_nearest(uint p)
     atomicAdd(oit_all[2], kept < count ? 1u : 0u);
     atomicAdd(oit_all[3], count - kept);
     if (kept > 0u)
-        atomicAdd(oit_classes[kept <= 8u ? 0u : min(uint(findMSB(kept - 1u)) - 2u, 4u)], 1u);
+        atomicAdd(oit_classes[kept <= 8u ? 0u : min(uint(findMSB(kept - 1u)) - 2u, 3u)], 1u);
 }
 
 void main()
 {
     uint block = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
     uint self = gl_LocalInvocationID.x;
-    if (self < 5u)
+    if (self < 4u)
         oit_all[self] = oit_classes[self] = 0u;
     barrier();
     for (uint i = 0u; i < 8u; ++i) {
@@ -49,7 +49,7 @@ void main()
             oit_keep_nearest(p);
     }
     barrier();
-    if (self < 5u && oit_classes[self] > 0u)
+    if (self < 4u && oit_classes[self] > 0u)
         atomicAdd(oit_pixel[OIT_PIXELS + self], oit_classes[self]);
     if (self == 0u && block == 0u)
         oit_pixel[OIT_START(oit_pool.x)] = oit_pool.x * OIT_LAYERS;

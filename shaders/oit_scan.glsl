@@ -16,7 +16,7 @@ uint oit_all_lost(uint total)
 // 0 for up to 8, then one more for each doubling.
 uint oit_class(uint count)
 {
-    return count <= 8u ? 0u : min(uint(findMSB(count - 1u)) - 2u, 4u);
+    return count <= 8u ? 0u : min(uint(findMSB(count - 1u)) - 2u, 3u);
 }
 #ifdef OIT_SCANS
 shared uint oit_scanned[128];

@@ -293,6 +293,11 @@ void oit_to_tail(uint p, oit_fragment f, uint w[OIT_VECTORS * OIT_LANES])
 void oit_to_tail(uint p, uint count, oit_fragment f)
 {
     float scale = exp2(float(26 - findMSB(count) - 1));
+#if OIT_ADAPTIVE && OIT_HAS_BLEND // equation 5, all fragments of the pixel taken for layers
+    scale /= f.color.a < 1.0 && f.blend == OIT_BLEND_OVER ? float(count) : 1.0;
+#elif OIT_ADAPTIVE
+    scale /= f.color.a < 1.0 ? float(count) : 1.0;
+#endif
     uvec4 parts = uvec4(oit_tail_amounts(oit_finite(f.color), OIT_BLEND_OF(f), OIT_COVERED_NOW) * scale + 0.5);
     atomicAdd(oit_pixel[OIT_TAIL(p)], parts.r);
     atomicAdd(oit_pixel[OIT_TAIL(p) + 1u], parts.g);

@@ -4,14 +4,14 @@ layout(local_size_x = 128) in;
 layout(std430, binding = OIT_BINDING_PIXELS) buffer oit_pixels { uint oit_pixel[]; };
 shared uint oit_sums[128];
 shared uint oit_most[128];
-shared uint oit_classes[5];
+shared uint oit_classes[4];
 
 void main()
 {
     uint block = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
     uint self = gl_LocalInvocationID.x;
     uint sum = 0u, most = 0u;
-    if (self < 5u)
+    if (self < 4u)
         oit_classes[self] = 0u;
     barrier();
     for (uint i = 0u; i < 8u; ++i) {
@@ -33,7 +33,7 @@ void main()
         barrier();
     }
     bool known = OIT_STORE != OIT_PREDICT || !OIT_DIRECT; // what is only guessed is not reported
-    if (known && self < 5u && oit_classes[self] > 0u)
+    if (known && self < 4u && oit_classes[self] > 0u)
         atomicAdd(oit_pixel[OIT_PIXELS + self], oit_classes[self]);
     if (self == 0u && block < oit_pool.w) {
         oit_pixel[OIT_SUM(block)] = oit_sums[0];

@@ -10,7 +10,7 @@ layout(std140) uniform tr_frame
     highp vec4 tr_see_background; // rgb: where nothing is drawn; a: 1 where each occluder counts on its own
     highp ivec4 tr_see_grid;      // pixels a texel of masks; a cell; frame index; pixels that masks reach
     highp vec4 tr_see_lights[8];  // x, y, radius, edge, pixels of the viewport
-    highp uvec4 tr_see_tiles[160]; // four each: x0, y0, x1, y1 in cells, a byte each, x0 the lowest
+    highp uvec4 tr_see_tiles[500]; // four each: x0, y0, x1, y1 in cells, a byte each, x0 the lowest
 };
 
 #ifdef TR_REVERSED_Z

@@ -1,37 +1,63 @@
 // For: transparency.h
 // How far the nearest pixel of a target is: exact, by rows and then across them.
 //
-// TR_SPREAD 0: in its row, for each texel of masks, as the pixels from the texel's first one to it, plus 128, in 255ths; 0:
-// none. TR_SPREAD 1: of the rows' the nearest, of equally near ones that nearest to the eye. A texel stands for the middle
-// of its pixels; twice the positions are integers. Steps go outward from there: left and right, up and down, are one step.
+// TR_SPREAD 0: eight pixels of a row as bits, so that the next steps over empty space are long ones. TR_SPREAD 1: in its
+// row, for each texel of masks, as the pixels from the texel's first one to it, plus 128, in 255ths; 0: none. TR_SPREAD 2: of
+// the rows' the nearest, of equally near ones that nearest to the eye. A texel stands for the middle of its pixels; twice the
+// positions are integers. Steps go outward from there: left and right, up and down, are one step.
 uniform highp sampler2D tr_see_depth; // of targets
 uniform highp sampler2D tr_see_mark;  // of targets: strength, 0 where there is none; active
-#if TR_SPREAD == 1
-uniform highp sampler2D tr_see_rows;
+#if TR_SPREAD != 0
+uniform highp sampler2D tr_see_rows; // the step before this one's
 #endif
 layout(location = 0) out highp vec4 tr_color;
 
 #if TR_SPREAD == 0
-bool tr_is_target(ivec2 pixel)
+void main()
 {
-    return pixel.x >= 0 && pixel.x < int(tr_viewport.z) && texelFetch(tr_see_mark, pixel, 0).r > 0.0;
+    ivec2 first = ivec2(int(gl_FragCoord.x) * 8, int(gl_FragCoord.y));
+    int bits = 0, count = min(8, int(tr_viewport.z) - first.x);
+    for (int i = 0; i < count; ++i)
+        bits |= texelFetch(tr_see_mark, first + ivec2(i, 0), 0).r > 0.0 ? 1 << i : 0;
+    tr_color = vec4(float(bits) * (1.0 / 255.0));
+}
+#elif TR_SPREAD == 1
+// The highest bit of a number above 0, by the exponent of a float.
+int tr_highest(int bits)
+{
+    return (floatBitsToInt(float(bits)) >> 23) - 127;
+}
+
+int tr_bits(int block, int y)
+{
+    return int(texelFetch(tr_see_rows, ivec2(block, y), 0).r * 255.0 + 0.5);
 }
 
 void main()
 {
-    int divisor = tr_see_grid.x, steps = tr_see_grid.w + 2 * divisor, first = int(gl_FragCoord.x) * divisor, found = 0;
-    ivec2 left = ivec2(first + (divisor - 1) / 2, int(gl_FragCoord.y)), right = ivec2(first + divisor / 2, left.y);
-    for (int i = 0; i <= steps; ++i) {
-        bool at_left = tr_is_target(left), at_right = tr_is_target(right);
-        if (at_left && at_right)
-            at_left = TR_BEHIND(texelFetch(tr_see_depth, right, 0).r, texelFetch(tr_see_depth, left, 0).r);
-        if (at_left || at_right) {
-            found = (at_left ? left.x : right.x) - first + 128;
+    int divisor = tr_see_grid.x, reach = tr_see_grid.w + 2 * divisor, first = int(gl_FragCoord.x) * divisor;
+    int y = int(gl_FragCoord.y), from_left = first + (divisor - 1) / 2, from_right = first + divisor / 2;
+    int left = -0x10000, right = 0x10000;
+    int lowest = max(from_left - reach, 0), highest = min(from_right + reach, int(tr_viewport.z) - 1);
+    for (int block = from_left >> 3, mask = (2 << (from_left & 7)) - 1; block * 8 + 7 >= lowest; --block, mask = 255) {
+        int bits = tr_bits(block, y) & mask;
+        if (bits != 0) {
+            left = block * 8 + tr_highest(bits);
             break;
         }
-        --left.x;
-        ++right.x;
     }
+    for (int block = from_right >> 3, mask = 255 << (from_right & 7); block * 8 <= highest; ++block, mask = 255) {
+        int bits = tr_bits(block, y) & mask;
+        if (bits != 0) {
+            right = block * 8 + tr_highest(bits & -bits);
+            break;
+        }
+    }
+    int to_left = from_left - left, to_right = right - from_right;
+    bool at_left = to_left < to_right;
+    if (to_left == to_right && to_left <= reach)
+        at_left = TR_BEHIND(texelFetch(tr_see_depth, ivec2(right, y), 0).r, texelFetch(tr_see_depth, ivec2(left, y), 0).r);
+    int found = min(to_left, to_right) <= reach ? (at_left ? left : right) - first + 128 : 0;
     tr_color = vec4(float(found) * (1.0 / 255.0));
 }
 #else

@@ -6,6 +6,7 @@
 
 #include <cmocka.h>
 #include <stdbool.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -328,6 +329,84 @@ static void test_all_missing_functions_are_named(void **state) {
     expect_said("glBufferData is missing");
 }
 
+/* Bytes of a fragment, by what is chosen: eight-byte steps, four bytes a field, and not one for what is not chosen. */
+static void test_bytes_of_a_fragment(void **state) {
+    static const struct {
+        oit_color color;
+        uint32_t fields;
+        int words, bytes;
+    } cases[] = {
+        {OIT_COLOR_8, 0, 0, 16},
+        {OIT_COLOR_8, OIT_FIELD_PART, 0, 16},
+        {OIT_COLOR_8, OIT_FIELD_BLEND, 0, 16},
+        {OIT_COLOR_8, OIT_FIELD_PART | OIT_FIELD_BLEND, 0, 16},
+        {OIT_COLOR_8, OIT_FIELD_PART | OIT_FIELD_KEY, 0, 24},
+        {OIT_COLOR_8, OIT_FIELD_COVERAGE, 0, 16},
+        {OIT_COLOR_8, OIT_FIELD_UV, 0, 24},
+        {OIT_COLOR_8, OIT_FIELD_UV | OIT_FIELD_NORMAL, 0, 24},
+        {OIT_COLOR_8, 0, 1, 16},
+        {OIT_COLOR_8, 0, 2, 24},
+        {OIT_COLOR_HALF, 0, 0, 16},
+        {OIT_COLOR_HALF, OIT_FIELD_PART, 0, 16},
+        {OIT_COLOR_HALF, OIT_FIELD_BLEND, 0, 16},
+        {OIT_COLOR_HALF, OIT_FIELD_BLEND | OIT_FIELD_PART, 0, 24},
+        {OIT_COLOR_FLOAT, 0, 0, 24},
+        {OIT_COLOR_FLOAT, OIT_FIELD_PART, 0, 24},
+        {OIT_COLOR_FLOAT, OIT_FIELD_PART | OIT_FIELD_KEY, 0, 32},
+        {OIT_COLOR_FLOAT, OIT_FIELD_NORMAL | OIT_FIELD_UV | OIT_FIELD_PART, 8, 72},
+    };
+    (void)state;
+    driver.extensions[0] = "GL_ARB_post_depth_coverage";
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        oit_desc desc = make_desc();
+        desc.color = cases[i].color;
+        desc.fields = cases[i].fields;
+        desc.host_words = cases[i].words;
+        assert_int_equal(expect_success(&desc).fragment_bytes, cases[i].bytes);
+    }
+}
+
+/* The value that all stages are compiled with. */
+static bool find_define(const char *source, const char *condition_name, int *value) {
+    char pattern[64];
+    snprintf(pattern, sizeof pattern, "#define %s ", condition_name);
+    const char *at = strstr(source, pattern);
+    if (!at)
+        return false;
+    *value = atoi(at + strlen(pattern));
+    return true;
+}
+
+/* What is not chosen is switched off in the text of every stage, extensions are asked for only where they are needed, and the
+ * switches are not cut. */
+static void test_text_of_what_is_not_chosen(void **state) {
+    static const struct {
+        uint32_t field;
+        const char *name;
+    } fields[] = {{OIT_FIELD_PART, "OIT_HAS_PART"},   {OIT_FIELD_KEY, "OIT_HAS_KEY"},
+                  {OIT_FIELD_BLEND, "OIT_HAS_BLEND"}, {OIT_FIELD_NORMAL, "OIT_HAS_NORMAL"},
+                  {OIT_FIELD_UV, "OIT_HAS_UV"},       {OIT_FIELD_COVERAGE, "OIT_HAS_COVERAGE"}};
+    (void)state;
+    driver.extensions[0] = "GL_ARB_post_depth_coverage";
+    for (unsigned chosen = 0; chosen < 64; chosen++) {
+        oit_desc desc = make_desc();
+        desc.fields = chosen;
+        desc.alpha_law = chosen % 2 ? OIT_ALPHA_ADAPTIVE : OIT_ALPHA_CONSTANT;
+        oit_context *oit = oit_create(&desc, NULL);
+        assert_non_null(oit);
+        int value = -1;
+        for (size_t i = 0; i < sizeof fields / sizeof *fields; i++) {
+            assert_true(find_define(oit->preamble, fields[i].name, &value));
+            assert_int_equal(value, (chosen & fields[i].field) != 0);
+        }
+        assert_true(find_define(oit->preamble, "OIT_ADAPTIVE", &value));
+        assert_int_equal(value, chosen % 2);
+        assert_int_equal(strstr(oit->preamble, "#extension") != NULL, (chosen & OIT_FIELD_COVERAGE) != 0);
+        assert_true(strlen(oit->preamble) + 1 < sizeof oit->preamble);
+        oit_destroy(oit);
+    }
+}
+
 static void test_small_limits_are_named(void **state) {
     static const struct {
         size_t index;
@@ -456,6 +535,8 @@ int main(void) {
         DRIVER_TEST(test_image_atomics),
         DRIVER_TEST(test_missing_functions_are_named),
         DRIVER_TEST(test_all_missing_functions_are_named),
+        DRIVER_TEST(test_bytes_of_a_fragment),
+        DRIVER_TEST(test_text_of_what_is_not_chosen),
         DRIVER_TEST(test_small_limits_are_named),
         DRIVER_TEST(test_small_blocks_are_named),
         DRIVER_TEST(test_out_of_memory),

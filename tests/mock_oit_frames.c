@@ -16,7 +16,7 @@
 
 /* ---- the driver that is not there ---- */
 
-enum { MAX_NAMES = 4096, MAX_CALLS = 2000000, POINTS = 8, READS = 1, WRITES = 2 };
+enum { MAX_NAMES = 4096, MAX_CALLS = 4000000, POINTS = 8, READS = 1, WRITES = 2 };
 enum { BUFFERS, ARRAYS, SHADERS, PROGRAMS, FENCES, TEXTURES, FRAMEBUFFERS, KINDS };
 
 typedef struct fake_buffer {
@@ -853,6 +853,8 @@ static void test_multisampled_targets(void **state) {
             assert_int_equal(draw_frame(oit, &frame_with_depth, NULL), OIT_OK);
             driver.finished = driver.now;
         }
+        /* Beside 16 words, 3,072 pixels of two words and one start more, 3 sums and the tail: a word a pixel. */
+        assert_int_equal(oit->sizes[OIT_I_PIXELS], 4 * (16 + (i & 2 ? 6 : 2) * 3072 + 2 + 3 + 3072));
         assert_int_equal(oit->block.samples[0], 15);
         assert_true(oit->block.positions[3][0] == 0.25f && oit->block.positions[0][0] == -0.5f);
         driver.samples = 16;
@@ -863,6 +865,12 @@ static void test_multisampled_targets(void **state) {
     driver.samples = 2;
     oit_context *plain = make(descs[0]);
     assert_int_equal(draw_frame(plain, &frame, NULL), OIT_TARGET_MULTISAMPLED);
+    driver.samples = 0;
+    assert_int_equal(draw_frame(plain, &frame, NULL), OIT_OK);
+    assert_int_equal(plain->sizes[OIT_I_PIXELS], 4 * (16 + 2 * 3072 + 2 + 3));
+    for (int k = OIT_I_PROGRAM_SAMPLED; k < OIT_I_PROGRAMS; ++k)
+        assert_int_equal(plain->programs[k], 0);
+    assert_int_equal(plain->sizes[OIT_I_PICKED], 0);
     assert_non_null(strstr(driver.text, "OIT_FIELD_COVERAGE has to be chosen"));
     assert_int_equal(driver.framebuffer, 5);
     oit_destroy(plain);

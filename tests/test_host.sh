@@ -1,10 +1,11 @@
 #!/bin/sh
 # test_host.sh [HOST] [FOLDER]
 #
-# Puts transparency.h into the engine of examples/host by docs/host_transparency.diff, in a copy, and holds what
-# docs/integration.md says of it: how many lines change; that frames without machines are, in all of the engine's targets,
-# what they were; that frames with machines show the hulls' insides; that the engine's state cache finds nothing changed,
-# and would find it. Run it from the top of the repository; HOST, by default build/host, is the engine without the header.
+# Puts transparency.h into the engine of examples/host by docs/host_transparency.diff, and oit_buffers.h by
+# docs/host_oit.diff, each in a copy, and holds what docs/integration.md says of them: how many lines change; that frames
+# without machines are, in all of the engine's targets, what they were; that frames with machines show the hulls' insides;
+# that the engine's state cache finds nothing changed, and would find it. Run it from the top of the repository; HOST, by
+# default build/host, is the engine without the headers.
 set -u
 host=${1:-build/host} work=${2:-build/test_host}
 passed=0 failed=0
@@ -47,44 +48,53 @@ differing() {
         END { print count + 0 }'
 }
 
+# careless NAME EXPRESSION: the engine in $work/NAME with one careless line, so that the check of its state cache is seen to
+# find something
+careless() {
+    mkdir -p "$work/$1_careless"
+    cp "$work/$1"/* "$work/$1_careless/"
+    sed "$2" "$work/$1/renderer.c" >"$work/$1_careless/renderer.c"
+    check "$1: the careless engine builds" build "$1_careless"
+    check "$1: a state that is not put back is found" \
+        sh -c '"$1" --check --size 64x40 "$2" >"$3" 2>&1; [ $? -eq 2 ] && grep -q "behind the cache" "$3"' - \
+        "$work/$1_careless.out" "$work/careless.png" "$work/careless.log"
+}
+
+# put_in NAME DIFF EXPRESSION: builds and runs the engine with a header
+put_in() {
+    name=$1 diff=$2
+    mkdir -p "$work/$name"
+    cp examples/host/*.[ch] "$work/$name/"
+    added=$(grep -v '^+++' "$diff" | grep -c '^+')
+    taken=$(grep -v '^---' "$diff" | grep -c '^-')
+    echo "test_host: $diff adds or changes $added lines, $taken of them in place of others"
+    check "$name: at most 60 lines change" [ "$added" -le 60 ]
+    check "$name: no more lines go than come" [ "$taken" -le "$added" ]
+    check "$name: the diff applies" patch -s -p3 -d "$work/$name" <"$diff"
+    check "$name: the engine builds with the header" build "$name"
+    careless "$name" "$3"
+    check "$name: the state cache is right" draw "$work/$name.out" "$name"
+    check "$name, quiet place: the state cache is right" draw "$work/$name.out" "${name}_quiet" --quiet-place
+    for target in normal id depth; do
+        check "$name, quiet place: $target is what it was, bit for bit" same before_quiet.$target "${name}_quiet.$target"
+    done
+    # The picture is rounded to 8 bits before it is scaled down, not after: at most 1/255.
+    check "$name, quiet place: the picture is what it was, to 1/255" \
+        [ "$(differing before_quiet.picture "${name}_quiet.picture" 1)" -eq 0 ]
+    changed=$(differing before.picture "$name.picture" 16)
+    echo "test_host: $name: with machines $changed of 256000 bytes of the picture differ by more than 16"
+    check "$name, with machines: hulls became glass" [ "$changed" -gt 2000 ]
+    # Glass is written into one target and the depth; where no hull is, ids are what they were.
+    check "$name, with machines: the depth holds the hulls, as before" same before.depth "$name.depth"
+    check "$name, with machines: ids of hulls alone are gone" [ "$(differing before.id "$name.id" 0)" -lt 20000 ]
+}
+
 rm -rf "$work"
-mkdir -p "$work/after" "$work/careless"
-cp examples/host/*.[ch] "$work/after/"
-
-added=$(grep -v '^+++' docs/host_transparency.diff | grep -c '^+')
-taken=$(grep -v '^---' docs/host_transparency.diff | grep -c '^-')
-echo "test_host: the diff adds or changes $added lines, $taken of them in place of others"
-check 'at most 60 lines change' [ "$added" -le 60 ]
-check 'no more lines go than come' [ "$taken" -le "$added" ]
-check 'the diff applies' patch -s -p3 -d "$work/after" <docs/host_transparency.diff
-check 'the engine builds with the header' build after
-
-# The same engine with one careless line, so that the check of its state cache is seen to find something.
-sed 's/{\.reversed_z = 1}/{.reversed_z = 1, .state = TR_STATE_LEAVE_DIRTY}/' "$work/after/renderer.c" >"$work/careless/renderer.c"
-for file in "$work/after"/*; do
-    [ -e "$work/careless/${file##*/}" ] || cp "$file" "$work/careless/"
-done
-check 'the careless engine builds' build careless
-
+mkdir -p "$work"
 check 'before: the state cache is right' draw "$host" before
 check 'before, quiet place: the state cache is right' draw "$host" before_quiet --quiet-place
-check 'after: the state cache is right' draw "$work/after.out" after
-check 'after, quiet place: the state cache is right' draw "$work/after.out" after_quiet --quiet-place
-check 'a state that is not put back is found' \
-    sh -c '"$1" --check --size 64x40 "$2" >"$3" 2>&1; [ $? -eq 2 ] && grep -q "behind the cache" "$3"' - \
-    "$work/careless.out" "$work/careless.png" "$work/careless.log"
-
-for target in normal id depth; do
-    check "quiet place: $target is what it was, bit for bit" same before_quiet.$target after_quiet.$target
-done
-# The picture is rounded to 8 bits before it is scaled down, not after: at most 1/255.
-check 'quiet place: the picture is what it was, to 1/255' [ "$(differing before_quiet.picture after_quiet.picture 1)" -eq 0 ]
-changed=$(differing before.picture after.picture 16)
-echo "test_host: with machines $changed of 256000 bytes of the picture differ by more than 16"
-check 'with machines: hulls became glass' [ "$changed" -gt 2000 ]
-# Glass is written into one target and the depth; where no hull is, ids are what they were.
-check 'with machines: the depth holds the hulls, as before' same before.depth after.depth
-check 'with machines: ids of hulls alone are gone' [ "$(differing before.id after.id 0)" -lt 20000 ]
+put_in transparency docs/host_transparency.diff 's/{\.reversed_z = 1}/{.reversed_z = 1, .state = TR_STATE_LEAVE_DIRTY}/'
+put_in oit docs/host_oit.diff 's/{\.reversed_z = 1}/{.reversed_z = 1, .state = OIT_STATE_LEAVE_DIRTY}/'
 
 echo "test_host: $passed passed, $failed failed"
 [ "$failed" -eq 0 ]

@@ -340,6 +340,9 @@ wrong 'over, normalised and published' model:mug -o out/picture.png --blend unde
 wrong 'auto, implicit, explicit and published' model:mug -o out/picture.png --interior none
 wrong 'layers:N with a whole number from 1 to 8' model:mug -o out/picture.png --interior layers:9
 wrong 'layers:N with a whole number from 1 to 8' model:mug -o out/picture.png --interior layers:
+for law in '' thin constant: adaptive:0 adaptive:1.5 adaptive:x constant:0.3:2; do
+    wrong 'not constant or adaptive' model:mug -o out/picture.png --glass "$law"
+done
 wrong 'no such part' model:mug -o out/picture.png --group spoon
 wrong 'names no part' model:mug -o out/picture.png --group ,
 wrong 'not a positive number' model:mug -o out/picture.png --group-distance 0
@@ -428,6 +431,14 @@ check '--style glass' [ "$status" -eq 0 ]
 check '--style glass finds the layers' grep -q '"glass": .*"deepest": \([6-9]\|[1-9][0-9]\)' stdout
 run model:shells --size 64x48 --quality 1 --style hodges -o out/hodges.png
 check '--style glass differs from hodges' sh -c '! cmp -s out/glass.png out/hodges.png'
+run model:shells --size 64x48 --quality 1 --style glass --glass adaptive -o out/adaptive.png
+check '--glass adaptive' [ "$status" -eq 0 ]
+check '--glass adaptive differs from constant' sh -c '! cmp -s out/glass.png out/adaptive.png'
+run model:shells --size 64x48 --quality 1 --style glass --glass constant:0.3 -o out/constant.png
+check '--glass constant:0.3 is the default' cmp -s out/glass.png out/constant.png
+run model:shells --size 64x48 --quality 1 --style glass --glass adaptive:0.2 -o out/constant.png
+check '--glass adaptive takes an opacity' sh -c '! cmp -s out/adaptive.png out/constant.png'
+rm -f out/adaptive.png out/constant.png
 run model:shells --size 64x48 --quality 1 --style glass --gles -o out/gles.png
 check '--style glass --gles' [ "$status" -eq 0 ]
 rm -f out/glass.png out/hodges.png out/gles.png

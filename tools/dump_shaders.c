@@ -115,6 +115,15 @@ static bool dump_oit_stage(const char *folder, const char *name, const char *suf
     return fclose(file) == 0;
 }
 
+/* Some are made for what was chosen alone. */
+static bool is_made(int program, const oit_desc *desc) {
+    if (program == OIT_I_PROGRAM_KEEP || program == OIT_I_PROGRAM_ARRANGE)
+        return oit_i_keeps(desc);
+    if (program >= OIT_I_PROGRAM_SAMPLED && program < OIT_I_PROGRAM_PICK)
+        return (desc->fields & OIT_FIELD_COVERAGE) != 0;
+    return true;
+}
+
 /* Every program of oit_buffers.h, and what hosts get, for one choice of what is stored. */
 static bool dump_oit(const char *folder, int choice, oit_desc desc, bool es) {
     static char preamble[OIT_I_MAX_PREAMBLE], scratch[OIT_I_NETWORK_CAPACITY];
@@ -125,7 +134,7 @@ static bool dump_oit(const char *folder, int choice, oit_desc desc, bool es) {
     if (desc.store == OIT_STORE_FETCH) /* which oit_create finds out */
         strcat(preamble, "#define OIT_FETCHED 7\n");
     for (int program = 0; program < (desc.operators ? OIT_I_PROGRAMS : OIT_I_PROGRAM_SORT); ++program)
-        for (int stage = 0; stage < (oit_i_is_compute(program) ? 1 : 2); ++stage) {
+        for (int stage = 0; is_made(program, &desc) && stage < (oit_i_is_compute(program) ? 1 : 2); ++stage) {
             if (!oit_i_has_program(&desc, program))
                 continue;
             oit_i_source source;
@@ -160,6 +169,8 @@ static bool dump_all_oit(const char *folder) {
         {.store = OIT_STORE_BUDGET, .fit = OIT_FIT_ASYNC, .fields = OIT_FIELD_ALL, .premultiplied = 1},
         {.store = OIT_STORE_BUCKETED, .fields = OIT_FIELD_PART, .color = OIT_COLOR_FLOAT},
         {.store = OIT_STORE_BUCKETED, .fields = OIT_FIELD_ALL, .bucket_depth_bits = 16, .reversed_z = 1},
+        {.fields = OIT_FIELD_COVERAGE | OIT_FIELD_BLEND, .sample_order = 1, .alpha_law = OIT_ALPHA_ADAPTIVE},
+        {.fit = OIT_FIT_ASYNC, .color = OIT_COLOR_FLOAT, .premultiplied = 1, .alpha_law = OIT_ALPHA_ADAPTIVE},
         {.operators = OIT_OPERATE_ALL, .fields = OIT_FIELD_PART | OIT_FIELD_NORMAL},
         {.operators = OIT_OPERATE_ALL,
          .fields = OIT_FIELD_PART | OIT_FIELD_NORMAL | OIT_FIELD_UV | OIT_FIELD_BLEND,

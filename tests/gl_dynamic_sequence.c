@@ -1,0 +1,290 @@
+/* TR_SEE_SEQUENCE, TR_SEE_PUBLISHED and TR_SEE_EXACT against the truth per pixel of reference_dynamic.h. */
+#include "dynamic_stage.h"
+
+/* ---- comparison ---- */
+
+static void set_truth(stage *s, tr_see see) {
+    s->wish.see = see;
+    s->truth.order = see == TR_SEE_EXACT ? REF_DYN_PER_PIXEL : REF_DYN_OBJECT_CENTRES;
+    if (see == TR_SEE_PUBLISHED)
+        ref_dyn_published(&s->truth);
+}
+
+/* Draws and compares; few pixels may be off by more than `allowed` 255ths: those where the two disagree on what a pixel
+ * centre exactly on an edge belongs to, and what a mask makes of that around it. */
+static stage_error check_picture(harness *h, stage *s, const char *name, double allowed, bool reversed) {
+    tr_result result = stage_draw(h, s, reversed);
+    if (result != TR_OK)
+        fail_msg("%s: %s", name, tr_result_string(result));
+    stage_read(h, s);
+    stage_truth(s);
+    stage_error e = stage_compare(s, allowed);
+    printf("    %-34s max %6.2f mean %.3f /255, %zu over %.1f, %zu see-through, %.1f %% left out\n", name, e.largest,
+           e.mean, e.over, allowed, e.see_through, 100 * e.left_out);
+    return e;
+}
+
+static void write_pictures(const stage *s, const char *name) {
+    const char *folder = getenv("GLASSINE_PICTURES");
+    char path[512];
+    for (int which = 0; folder && which < 2; ++which) {
+        snprintf(path, sizeof path, "%s/%s_%s.ppm", folder, name, which ? "truth" : "gl");
+        FILE *file = fopen(path, "wb");
+        if (!file)
+            return;
+        fprintf(file, "P6 %d %d 255\n", s->scene.width, s->scene.height);
+        for (int y = s->scene.height - 1; y >= 0; --y)
+            for (int x = 0; x < s->scene.width; ++x)
+                for (int c = 0; c < 3; ++c) {
+                    size_t i = (size_t)(y * s->scene.width + x);
+                    fputc(which ? (int)(s->pixels[i].color[c] * 255 + 0.5) : s->picture[4 * i + (size_t)c], file);
+                }
+        fclose(file);
+    }
+}
+
+/* ---- scenes ---- */
+
+/* A target behind two walls, one before the other. */
+static void two_walls(stage *s) {
+    const double ball[3] = {0.6, 0.6, 0.6}, target[3] = {0, 0, -2};
+    stage_look(s, 12, 0, 0);
+    stage_box(s, REF_DYN_TARGET, target, ball, 0.5);
+    stage_sheet(s, 0, -2.1, -2.3, 1.3, 2.2, 0);
+    stage_sheet(s, 0, -1.2, -1.1, 2.3, 2.4, 2);
+}
+
+enum {
+    SOLIDS = 0,
+    IMPENETRABLES = 2,
+    HOLLOWS = 4,
+    BACKDROPS = 8,
+    IMPORTANCES = 16,
+    GROUPS = 32,
+    LIGHTS = 64,
+    FADES = 128
+};
+
+/* Boxes and rings at random; `wanted` of them targets. */
+static void scatter(stage *s, uint64_t seed, size_t count, size_t wanted, unsigned kinds) {
+    stage_dice dice = {seed * 7919 + 17};
+    stage_look(s, 13, stage_throw(&dice, 0, 6.28), stage_throw(&dice, -0.6, 0.9));
+    for (size_t i = 0; i < count; ++i) {
+        uint32_t flags = i < wanted ? (uint32_t)REF_DYN_TARGET : 0u;
+        double middle[3], half[3];
+        for (int k = 0; k < 3; ++k) {
+            middle[k] = stage_throw(&dice, -3.5, 3.5);
+            half[k] = stage_throw(&dice, 0.3, 1.2);
+        }
+        if (!flags && (kinds & IMPENETRABLES) && stage_pick(&dice, 5) == 0)
+            flags |= REF_DYN_IMPENETRABLE;
+        size_t ring = stage_pick(&dice, 3);
+        if (ring == 0 && (kinds & HOLLOWS))
+            flags |= REF_DYN_HOLLOW;
+        size_t at = ring == 0 ? stage_ring(s, flags, middle, 1.1, 0.4)
+                              : stage_box(s, flags, middle, half, stage_throw(&dice, 0, 3));
+        if (kinds & GROUPS) {
+            s->marks[at].group = (uint32_t)stage_pick(&dice, 4);
+            s->marks[at].rank = (int)stage_pick(&dice, 3);
+        }
+        if (!(flags & REF_DYN_TARGET) && (kinds & IMPORTANCES))
+            s->marks[at].importance = stage_throw(&dice, 0, 1);
+        if ((flags & REF_DYN_TARGET) && (kinds & LIGHTS))
+            s->marks[at].flags |= REF_DYN_ACTIVE;
+        if ((flags & REF_DYN_TARGET) && (kinds & FADES))
+            s->marks[at].faded = stage_throw(&dice, 0, 1);
+    }
+    s->truth.light_count = kinds & LIGHTS ? 2 : 0;
+    for (size_t i = 0; i < s->truth.light_count; ++i) {
+        const ref_dyn_light light = {stage_throw(&dice, 20, 100), stage_throw(&dice, 20, 80), stage_throw(&dice, 0, 25),
+                                     i ? stage_throw(&dice, 1, 20) : 0};
+        s->lights[i] = light;
+    }
+    if (kinds & BACKDROPS) {
+        const double middle[3] = {0, -6, 0}, half[3] = {9, 0.1, 9};
+        stage_box(s, REF_DYN_BACKDROP, middle, half, 0);
+    }
+}
+
+/* ---- tests ---- */
+
+static void sequence_of_two_walls(void **state) {
+    harness h;
+    (void)state;
+    harness_open(&h, 330, false, NULL);
+    harness_target(&h, 96, 80);
+    for (int rung = 0; rung < 3; ++rung) {
+        static const char *const names[] = {"two walls, together", "two walls, each", "two walls, published"};
+        stage *s = stage_new(96, 80);
+        two_walls(s);
+        s->wish.mask_divisor = 1;
+        s->truth.occluders = rung == 1 ? REF_DYN_EACH : REF_DYN_TOGETHER;
+        set_truth(s, rung == 2 ? TR_SEE_PUBLISHED : TR_SEE_SEQUENCE);
+        stage_error e = check_picture(&h, s, names[rung], 2, false);
+        write_pictures(s, names[rung]);
+        assert_true(e.see_through > 100);
+        assert_true(e.over == 0);
+        stage_free(s);
+    }
+    harness_close(&h);
+}
+
+/* ---- random scenes ---- */
+
+enum { GL33 = 0, ES = 1, REVERSED = 2, EIGHT_BITS = 4 };
+
+typedef struct trial {
+    const char *name;
+    tr_see see;
+    unsigned kinds;
+    ref_dyn_combine combine;
+    ref_dyn_occluders occluders;
+    uint32_t layers;
+    int divisor;
+    unsigned where;
+    double allowed, share; /* 255ths that all pixels but this share of them keep to */
+} trial;
+
+typedef struct tally {
+    size_t over, compared, see_through;
+    double most, left_out;
+} tally;
+
+static void draw_trial(harness *h, stage *s, const trial *t, uint64_t seed) {
+    stage_clean(s);
+    scatter(s, seed, 16, 1 + seed % 5, t->kinds);
+    s->wish.mask_divisor = t->divisor;
+    s->truth.combine = t->combine;
+    s->truth.occluders = t->occluders;
+    s->truth.layers = t->layers;
+    set_truth(s, t->see);
+    tr_result result = stage_draw(h, s, t->where & REVERSED);
+    if (result != TR_OK)
+        fail_msg("%s: %s", t->name, tr_result_string(result));
+    stage_read(h, s);
+    stage_truth(s);
+}
+
+static void count_trial(const stage *s, const trial *t, uint64_t seed, tally *all) {
+    stage_error e = stage_compare(s, t->allowed);
+    size_t pixels = (size_t)s->scene.width * (size_t)s->scene.height;
+    if (e.over > pixels / 500) {
+        char name[96];
+        snprintf(name, sizeof name, "%s_%d", t->name, (int)seed);
+        write_pictures(s, name);
+    }
+    all->over += e.over;
+    all->see_through += e.see_through;
+    all->compared += pixels - (size_t)(e.left_out * (double)pixels + 0.5);
+    all->most = fmax(all->most, e.largest);
+    all->left_out += e.left_out;
+}
+
+static void run_trial(const trial *t, uint64_t seeds) {
+    harness h;
+    tr_desc desc;
+    tally all = {0, 0, 0, 0, 0};
+    bool es = t->where & ES;
+    memset(&desc, 0, sizeof desc);
+    desc.reversed_z = (t->where & REVERSED) != 0;
+    desc.eight_bits = (t->where & EIGHT_BITS) != 0;
+    harness_open(&h, es ? 300 : 330, es, &desc);
+    harness_target(&h, 128, 112);
+    stage *s = stage_new(120, 100);
+    s->frame.x = 5;
+    s->frame.y = 7;
+    for (uint64_t seed = 0; seed < seeds; ++seed) {
+        draw_trial(&h, s, t, seed);
+        count_trial(s, t, seed, &all);
+    }
+    printf("    %-30s %5zu of %zu over %.1f/255, most %5.1f; %zu see-through, %.1f %% left out\n", t->name, all.over,
+           all.compared, t->allowed, all.most, all.see_through, 100 * all.left_out / (double)seeds);
+    assert_true(all.see_through > 100 * seeds);
+    assert_true(all.left_out / (double)seeds <= 0.1);
+    assert_true((double)all.over <= t->share * (double)all.compared);
+    stage_free(s);
+    harness_close(&h);
+}
+
+/* 8 bits round each layer by half a step, and once more where it is put over the host's; products of masks by more. A
+ * gradient steps by 0.9 / 12 of 255, 19, a pixel; with a divisor its distances are those to the nearest of a few candidates. */
+#define MIN_ REF_DYN_MIN
+#define PRODUCT REF_DYN_PRODUCT
+#define TOGETHER REF_DYN_TOGETHER
+#define EACH REF_DYN_EACH
+#define FEW 2.5e-4
+
+static void sequences_are_the_truth_by_centres(void **state) {
+    static const trial trials[] = {
+        {"each", TR_SEE_SEQUENCE, SOLIDS, MIN_, EACH, 0, 1, GL33, 2, FEW},
+        {"product, each", TR_SEE_SEQUENCE, SOLIDS, PRODUCT, EACH, 0, 1, GL33, 2, FEW},
+        {"together", TR_SEE_SEQUENCE, SOLIDS, MIN_, TOGETHER, 0, 1, GL33, 2, FEW},
+        {"impenetrable", TR_SEE_SEQUENCE, IMPENETRABLES | BACKDROPS, MIN_, TOGETHER, 0, 1, GL33, 2, FEW},
+        {"groups", TR_SEE_SEQUENCE, GROUPS, MIN_, TOGETHER, 0, 1, GL33, 2, FEW},
+        {"hollow, each", TR_SEE_SEQUENCE, HOLLOWS, MIN_, EACH, 0, 1, GL33, 2, FEW},
+        {"hollow, together", TR_SEE_SEQUENCE, HOLLOWS, MIN_, TOGETHER, 0, 1, GL33, 2, FEW},
+        {"importances", TR_SEE_SEQUENCE, IMPORTANCES, MIN_, TOGETHER, 0, 1, GL33, 2, FEW},
+        {"lights", TR_SEE_SEQUENCE, LIGHTS, MIN_, TOGETHER, 0, 1, GL33, 2, FEW},
+        {"fades, each", TR_SEE_SEQUENCE, FADES, MIN_, EACH, 0, 1, GL33, 2, FEW},
+        {"one layer", TR_SEE_SEQUENCE, SOLIDS, MIN_, TOGETHER, 1, 1, GL33, 2, FEW},
+        {"two layers, each", TR_SEE_SEQUENCE, IMPENETRABLES, MIN_, EACH, 2, 1, GL33, 2, FEW},
+        {"divisor 2", TR_SEE_SEQUENCE, SOLIDS, MIN_, TOGETHER, 0, 2, GL33, 2, 0.005},
+        {"divisor 4", TR_SEE_SEQUENCE, SOLIDS, MIN_, EACH, 0, 4, GL33, 2, 0.005},
+        {"divisor 8", TR_SEE_SEQUENCE, SOLIDS, MIN_, EACH, 0, 8, GL33, 2, 0.012},
+        {"8 bits, each", TR_SEE_SEQUENCE, SOLIDS, MIN_, EACH, 0, 1, EIGHT_BITS, 2.5, FEW},
+        {"8 bits, together", TR_SEE_SEQUENCE, SOLIDS, MIN_, TOGETHER, 0, 1, EIGHT_BITS, 3, FEW},
+        {"reversed z", TR_SEE_SEQUENCE, IMPENETRABLES, MIN_, TOGETHER, 0, 1, REVERSED, 2, FEW},
+        {"ES 3.0", TR_SEE_SEQUENCE, IMPENETRABLES, MIN_, TOGETHER, 0, 1, ES, 2, FEW},
+        {"ES 3.0, 8 bits", TR_SEE_SEQUENCE, IMPENETRABLES, MIN_, TOGETHER, 2, 2, ES | EIGHT_BITS, 3, 0.005},
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof trials / sizeof trials[0]; ++i)
+        run_trial(&trials[i], 10);
+}
+
+static void published_is_the_paper(void **state) {
+    static const trial trials[] = {
+        {"published", TR_SEE_PUBLISHED, SOLIDS, PRODUCT, EACH, 0, 1, GL33, 2, FEW},
+        {"published, impenetrable", TR_SEE_PUBLISHED, IMPENETRABLES | BACKDROPS, PRODUCT, EACH, 0, 1, GL33, 2, FEW},
+        {"published, groups, 8 bits", TR_SEE_PUBLISHED, GROUPS, PRODUCT, EACH, 0, 1, EIGHT_BITS, 3, FEW},
+        {"published, layers", TR_SEE_PUBLISHED, SOLIDS, PRODUCT, EACH, 2, 1, GL33, 2, FEW},
+        {"published, divisor 4", TR_SEE_PUBLISHED, SOLIDS, PRODUCT, EACH, 0, 4, GL33, 2, 0.005},
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof trials / sizeof trials[0]; ++i)
+        run_trial(&trials[i], 10);
+}
+
+static void exact_is_the_truth_per_pixel(void **state) {
+    static const trial trials[] = {
+        {"exact", TR_SEE_EXACT, SOLIDS, MIN_, TOGETHER, 0, 1, GL33, 2, FEW},
+        {"exact, each", TR_SEE_EXACT, SOLIDS, MIN_, EACH, 0, 1, GL33, 2, FEW},
+        {"exact, product", TR_SEE_EXACT, SOLIDS, PRODUCT, TOGETHER, 0, 1, GL33, 2, FEW},
+        {"exact, impenetrable", TR_SEE_EXACT, IMPENETRABLES | BACKDROPS, MIN_, TOGETHER, 0, 1, GL33, 2, FEW},
+        {"exact, importances", TR_SEE_EXACT, IMPORTANCES | IMPENETRABLES, MIN_, TOGETHER, 0, 1, GL33, 2, FEW},
+        {"exact, hollow", TR_SEE_EXACT, HOLLOWS, MIN_, TOGETHER, 0, 1, GL33, 2, FEW},
+        {"exact, lights", TR_SEE_EXACT, LIGHTS, MIN_, TOGETHER, 0, 1, GL33, 2, FEW},
+        {"exact, fades", TR_SEE_EXACT, FADES, MIN_, TOGETHER, 0, 1, GL33, 2, FEW},
+        {"exact, one layer", TR_SEE_EXACT, SOLIDS, MIN_, TOGETHER, 1, 1, GL33, 2, FEW},
+        {"exact, three layers", TR_SEE_EXACT, IMPENETRABLES, MIN_, EACH, 3, 1, GL33, 2, FEW},
+        {"exact, two layers, together", TR_SEE_EXACT, IMPENETRABLES, MIN_, TOGETHER, 2, 1, GL33, 2, FEW},
+        {"exact, divisor 2", TR_SEE_EXACT, SOLIDS, MIN_, TOGETHER, 0, 2, GL33, 2, 0.005},
+        {"exact, 8 bits", TR_SEE_EXACT, SOLIDS, MIN_, TOGETHER, 0, 1, EIGHT_BITS, 2.5, FEW},
+        {"exact, reversed z", TR_SEE_EXACT, IMPENETRABLES, MIN_, TOGETHER, 0, 1, REVERSED, 2, FEW},
+        {"exact, ES 3.0, 8 bits", TR_SEE_EXACT, HOLLOWS, PRODUCT, TOGETHER, 0, 1, ES | EIGHT_BITS, 3, FEW},
+        {"exact, ES 3.0", TR_SEE_EXACT, IMPENETRABLES, MIN_, EACH, 0, 1, ES, 2, FEW},
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof trials / sizeof trials[0]; ++i)
+        run_trial(&trials[i], 10);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(sequence_of_two_walls),
+        cmocka_unit_test(sequences_are_the_truth_by_centres),
+        cmocka_unit_test(published_is_the_paper),
+        cmocka_unit_test(exact_is_the_truth_per_pixel),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
