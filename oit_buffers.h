@@ -15,12 +15,14 @@
      together what one would, however many they are
    - draws into multisampled targets: order by pixel, coverage and the host's opaque depth by sample
    - tells which fragment lies at a pixel and a layer, and writes one depth for all of them, for passes that come after
+   - knows each fragment's neighbours along its surface, and draws from that silhouettes strengthened, halos before what
+     lies behind (Carnecky et al. 2013) and opacity and shade by curvature (Murray et al. 2016); and runs the host's own
+     operators on all fragments
    - works with the host's own shaders through one function call, and has shaders for hosts that have none
    - leaves the GL state as found, or tells the host which state each pass wants
 
    DOES NOT
    - create a context, or run where there are no compute shaders: macOS and WebGL 2 stay with transparency.h
-   - find neighbours along surfaces
 
    QUICK START, given a current context and its getter of function pointers
 
@@ -78,7 +80,7 @@
    GL FLOOR
    OpenGL 4.3 core or OpenGL ES 3.1, and of the limits at least (ES 3.1 lets a driver have no storage block in the
    fragment stage, so the version alone does not tell):
-   - GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS 2: the pixels and the fragments
+   - GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS 2: the pixels and the fragments; with operators 3
    - GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS 4 and GL_MAX_COMPUTE_WORK_GROUP_INVOCATIONS 128, for the prefix sum
    - GL_MAX_COMBINED_SHADER_OUTPUT_RESOURCES 4: those two blocks and colour outputs
    - GL_MAX_SHADER_STORAGE_BLOCK_SIZE 2^24 bytes
@@ -154,6 +156,53 @@
    GL_OES_sample_variables; oit_create says so. There is no OIT_STATE_NONE for it. In ES, call oit_store where control
    flow is uniform: it takes derivatives of the depth. The depth of the composite is one a pixel, in which a fragment
    hides by the share of samples that it covers, as it does in the tail.
+
+   OPERATORS, desc.operators and oit_run
+   Silhouettes that show through glass, in a frame whose frame.projection is set:
+
+       desc.operators = OIT_OPERATE_SMART;                          // at creation
+       ...
+       while (oit_next_pass(oit, &pass)) draw();
+       memset(&op, 0, sizeof op);
+       op.kind = OIT_RUN_LINK;  op.link.radius = 3.5f;              // of the scene's bounding sphere
+       oit_run(oit, &op);
+       op.kind = OIT_RUN_LAW;   op.law.kind = OIT_LAW_ADAPTIVE;     // optional; else alpha as it was stored
+       oit_run(oit, &op);
+       op.kind = OIT_RUN_SMART; op.smart.jumps = 1;
+       oit_run(oit, &op);
+       oit_compose(oit);
+
+   Shaders store normals in the space of the eye (fragment.normal), and the number of a connected surface (fragment.part):
+   fragments of two parts are never neighbours. Slopes of the depth are stored by oit_store itself; in ES call it where
+   control flow is uniform. Ribbons of feature lines go into the same buffer with OIT_BLEND_LINE (and OIT_FIELD_BLEND).
+   Operators need all of the image at once: in bands or slabs oit_run is refused, and the frame is composed without it.
+   Pixels whose run did not fit (OIT_FIT_ASYNC) have no fragments for them. The depth of the composite and picking go by
+   alpha as it was stored. Not with OIT_STORE_FETCH, OIT_FIELD_COVERAGE or desc.alpha_law.
+   JUMPS. Beta and gamma by equation 9 depend on the number of steps to the nearest source alone, which is what is kept: 16
+   bits each, exact. Iterated, each pass is one step. With smart.jumps a pass carries distances 32 pixels along rows, the
+   next along columns, and so on: never below the true distance, so never above the iterated field; each bend of a path
+   costs a round. smart.until_stable asks for as many rounds as iterations, of which those after the last change end at
+   once. Base is made smooth by two passes for each 50 iterations: the weights of so many steps along rows, then columns.
+   smart.thin is against silhouettes so dense that nothing but them is seen: a field ends within that share of the distance
+   between the boundary conditions on either side along the row, or along the column if that is less.
+
+   OPERATORS OF THE HOST'S
+   A compute shader of the strings of oit_operator_glsl() and a text that defines void oit_operate(uint p), which is called
+   once for each pixel p of the viewport (row by row from the bottom). A fragment is known by its slot:
+
+       uint oit_list(uint p, out uint first)        how many the pixel has; slots first, first + 1, ... from the eye on
+       float oit_depth(slot)  vec4 oit_color(slot)  bool oit_is_surface(slot)      window depth; color as stored
+       vec3 oit_normal(slot)  uint oit_part_of(slot)  vec2 oit_uv(slot)  vec2 oit_slope(slot)      where stored
+       uint oit_neighbour(p, slot, direction)       a slot, or OIT_NONE; OIT_LEFTWARD, _RIGHTWARD, _DOWNWARD, _UPWARD
+       bool oit_beside(p, direction, out uint q)    the pixel there; false where the image ends
+       float oit_value(which, slot)                 OIT_BASE, OIT_BETA, OIT_GAMMA (before profiles), OIT_KAPPA, OIT_HOST + k
+       void oit_set_value(which, slot, x)           OIT_BASE, OIT_HOST + k, of the own pixel
+       float oit_before(slot)  void oit_set_after(slot, x)      with host.iterations; set it for every fragment
+       vec3 oit_position(oit_device(p), depth)  vec3 oit_to_eye(oit_device(p))     in the space of the eye
+       OIT_STEP.x                                   which iteration
+
+   Uniforms of the host's own may have locations from 128 on, or none given. Storage bindings of ours are the three from
+   desc.first_storage_binding on; the last is the buffer of all values. Ours are written with the same functions.
 
    LIMITS AND PRECISION
    - Depths are gl_FragCoord.z in 32 bits: layers are told apart down to one unit in the last place.
@@ -6515,6 +6564,23 @@ OIT_I_API oit_result oit_begin(oit_context *oit, const oit_frame *frame) {
      fill     pixels: starts, limits read; left, tail atomics; fragments written      keep
      arrange  pixels: starts, left read; keys, buckets both; fragments read           fill (bucketed)
      compose  pixels, fragments read                                                  fill, arrange
+
+   Of operators, all on the buffer of the surfaces (each pass writes and reads it); pixels (starts, left) and fragments are
+   read by all. Every pass of an operator has a barrier before it, the first because of fill (or gather, settle, arrange):
+
+     sort     order written
+     group    order read; grouped written               sort
+     connect  order, grouped read; links written        sort, group
+     mutual   links both, in place: see the shader      connect
+     law      order, links, reach read; base written    sort, mutual, solve
+     bound    order, links read; reach, beta, gamma written               mutual
+     size     links, reach read; sizes both, in place: only distances that have come for certain are used     bound
+     solve    links read; reach both, in place: see the shader; one field to spare      bound, law, solve
+     jump     links, reach read; spare written, which then is reach       bound, jump
+     chain    links, base read; spare written, which then is base         law, chain
+     curve    order, links read; kappa, base written                      mutual
+     host     anything read; base and fields of the own pixel, or spare, written      any of these
+     compose  order, base, reach, sizes, beta, gamma, kappa read          any of these; and the next frame's clear and fill
 
    What the CPU maps (report; starts, to cut bands) takes a barrier of buffer updates, and then its fence, or waits. */
 static oit_i_u oit_i_barrier_before(oit_pass_kind kind) {
