@@ -182,7 +182,7 @@
    bits each, exact. Iterated, each pass is one step. With smart.jumps a pass carries distances 32 pixels along rows, the
    next along columns, and so on: never below the true distance, so never above the iterated field; each bend of a path
    costs a round. smart.until_stable asks for as many rounds as iterations, of which those after the last change end at
-   once. Base is made smooth by two passes for each 50 iterations: the weights of so many steps along rows, then columns.
+   once. Base is made smooth by two passes for each 25 iterations: the weights of so many steps along rows, then columns.
    smart.thin is against silhouettes so dense that nothing but them is seen: a field ends within that share of the distance
    between the boundary conditions on either side along the row, or along the column if that is less.
 
@@ -6881,9 +6881,9 @@ static int oit_i_greatest_steps(const oit_smart *smart) {
     return beta > gamma ? beta : gamma;
 }
 
-/* Iterations of equation 8 that one pair of passes along rows and columns stands for: so many that 15 links hold all but
-   1/500 of the weights. */
-#define OIT_I_CHAIN_STEPS 50
+/* Iterations of equation 8 that one pair of passes along rows and columns stands for: few, because along rows and then
+   along columns is not quite both at a time. */
+#define OIT_I_CHAIN_STEPS 25
 #define OIT_I_JUMP_REACH 32
 
 /* Passes along rows and columns in turn that measure the surface's width, as far as smart.thin may matter. */
@@ -7020,7 +7020,7 @@ static void oit_i_number_chain(const oit_context *oit, const oit_i_stage *stage,
     float weights[16];
     n->at[2][0] = oit->sections[OIT_I_AT_BASE];
     n->at[2][1] = oit->sections[OIT_I_AT_SPARE];
-    n->at[4][0] = (oit_i_u)step & 1u;
+    n->at[4][0] = (oit_i_u)(step ^ step >> 1) & 1u; /* rows, columns, columns, rows: errors of the order cancel */
     n->at[4][1] = (oit_i_u)oit_i_chain_weights(steps, 0.125 * (double)oit->smart.base.lambda, weights);
     memcpy(n->set, weights, sizeof weights);
 }
