@@ -7,8 +7,9 @@ enum { WIDTH = 70, HEIGHT = 53, PIXELS = WIDTH * HEIGHT };
 
 /* ---- scenes ---- */
 
-/* `layers` sheets one behind the other, level, tilted, or wavy so that they cross; of parts 1 to `parts` in turn. */
-static void add_sheets(oit_scene *s, int layers, int parts, double tilt, double wave) {
+/* `layers` sheets one behind the other, level, tilted, or wavy so that they cross; of parts 1 to `parts` in turn.
+ * rough: normals that are noise, so that depth and normals want different neighbours. */
+static void add_sheets(oit_scene *s, int layers, int parts, double tilt, double wave, bool rough) {
     enum { N = 40 };
     for (int l = 0; l < layers; ++l) {
         float *positions = malloc(3 * (N + 1) * (N + 1) * sizeof(float));
@@ -20,6 +21,10 @@ static void add_sheets(oit_scene *s, int layers, int parts, double tilt, double 
             double x = -reach + 2 * reach * (k % (N + 1)) / N, y = -reach + 2 * reach * (k / (N + 1)) / N;
             double z = -0.5 + (l + 0.5) / layers + tilt * x + wave * sin(6 * x + l) * cos(5 * y);
             double dx = tilt + 6 * wave * cos(6 * x + l) * cos(5 * y), dy = -5 * wave * sin(6 * x + l) * sin(5 * y);
+            if (rough) {
+                dx = 2 * sin(971.0 * k + 31.0 * l);
+                dy = 2 * cos(577.0 * k + 17.0 * l);
+            }
             double at[3] = {x, y, z}, n[3] = {-dx, -dy, 1}, length = sqrt(dx * dx + dy * dy + 1);
             for (int c = 0; c < 3; ++c) {
                 positions[3 * k + c] = (float)at[c];
@@ -45,9 +50,9 @@ static void make_scene(oit_scene *s, int kind) {
         return;
     }
     oit_scene_camera(s, 4, 2, 8, 0.268);
-    add_sheets(s, 5, kind == 2 ? 2 : 1, kind == 1 ? 0.8 : 0, kind == 2 ? 0.15 : 0);
+    add_sheets(s, kind == 4 ? 12 : 5, kind == 2 ? 2 : 1, kind == 1 ? 0.8 : 0, kind == 2 ? 0.15 : 0, kind == 4);
 }
-enum { SCENES = 4 };
+enum { SCENES = 4, ROUGH = 4 };
 
 static oit_desc every_operator(void) {
     oit_desc desc = {
@@ -228,7 +233,7 @@ static void test_links(void **state) {
     for (int es = 0; es < 2; ++es) {
         oit_setting t;
         oit_setting_open(&t, es, WIDTH, HEIGHT, 0, GL_RGBA32F, every_operator());
-        for (int kind = 0; kind < SCENES; ++kind) {
+        for (int kind = 0; kind <= ROUGH; ++kind) {
             oit_scene s;
             size_t compared = 0;
             make_scene(&s, kind);
@@ -239,10 +244,20 @@ static void test_links(void **state) {
                 op.link.criterion = criteria[i % 5];
                 op.link.search = searches[i % 5];
                 op.link.no_reverse_check = i >= 5;
+                if (kind == ROUGH) {
+                    op.link.depth_weight = 0.3f;
+                    op.link.normal_weight = 0.1f;
+                    op.link.limit = -1; /* none */
+                }
                 run(&t, op);
                 seen g = look(t.oit);
                 ref_smart_links links = truth_of(&s, criteria[i % 5]);
                 links.no_reverse_check = i >= 5;
+                if (kind == ROUGH) {
+                    links.depth_weight = (double)op.link.depth_weight;
+                    links.normal_weight = (double)op.link.normal_weight;
+                    links.limit = INFINITY;
+                }
                 compare_links(&g, &links, &compared);
                 forget(&g);
             }
@@ -264,7 +279,7 @@ static void test_pairs_looked_at(void **state) {
     oit_setting_open(&t, false, WIDTH, HEIGHT, 0, GL_RGBA32F, every_operator());
     oit_scene_init(&s, WIDTH, HEIGHT);
     oit_scene_camera(&s, 4, 2, 8, 0.268);
-    add_sheets(&s, 24, 1, 0.8, 0);
+    add_sheets(&s, 24, 1, 0.8, 0, false);
     oit_frame frame = frame_of(&s, &t);
     for (int brute = 0; brute < 2; ++brute) {
         oit_operator op = link_operator();
@@ -283,6 +298,42 @@ static void test_pairs_looked_at(void **state) {
     oit_setting_close(&t);
 }
 
+/* Where a sheet ends midway between two that begin, both are as far as can be told: the nearer to the eye is taken. */
+static void test_ties(void **state) {
+    static const double color[4] = {1, 1, 1, 0.5}, middle[4] = {0, 0, 0, 0}, nearer[4] = {0.25, 0.25, 0.25, 0.25},
+                        farther[4] = {-0.25, -0.25, -0.25, -0.25};
+    oit_setting t;
+    oit_scene s;
+    size_t compared = 0;
+    (void)state;
+    oit_setting_open(&t, false, 8, 8, 0, GL_RGBA32F, every_operator());
+    oit_scene_init(&s, 8, 8);
+    s.scene.projection[10] = -1; /* the eye looks along -z */
+    oit_scene_quad(&s, -1, -1, 0, 1, middle, color);
+    oit_scene_quad(&s, 0, -1, 1, 1, nearer, color);
+    oit_scene_quad(&s, 0, -1, 1, 1, farther, color);
+    for (size_t i = 0; i < 3; ++i)
+        s.objects[i].part = 1;
+    oit_frame frame = frame_of(&s, &t);
+    for (int search = 0; search < 3; ++search) {
+        oit_operator op = link_operator();
+        op.link.search = (oit_search)search;
+        op.link.limit = 1;
+        begin(&t, &s, &frame);
+        run(&t, op);
+        seen g = look(t.oit);
+        ref_smart_links links = truth_of(&s, OIT_LINK_DEPTH);
+        links.limit = 1;
+        compare_links(&g, &links, &compared);
+        size_t slot = g.slots[4 * 8 + 3];
+        assert_int_equal(link_at(&g, slot, REF_SMART_RIGHT), 0);
+        forget(&g);
+        finish(&t);
+    }
+    oit_scene_drop(&s);
+    oit_setting_close(&t);
+}
+
 /* Layers beyond 254, whose links take 16 bits. */
 static void test_wide_links(void **state) {
     oit_setting t;
@@ -292,7 +343,7 @@ static void test_wide_links(void **state) {
     oit_setting_open(&t, false, 6, 5, 0, GL_RGBA32F, every_operator());
     oit_scene_init(&s, 6, 5);
     oit_scene_camera(&s, 4, 2, 8, 0.268);
-    add_sheets(&s, 300, 1, 0.4, 0);
+    add_sheets(&s, 300, 1, 0.4, 0, false);
     oit_frame frame = frame_of(&s, &t);
     begin(&t, &s, &frame);
     run(&t, link_operator());
@@ -799,17 +850,12 @@ static void test_thin(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_links),
-        cmocka_unit_test(test_pairs_looked_at),
-        cmocka_unit_test(test_wide_links),
-        cmocka_unit_test(test_fields),
-        cmocka_unit_test(test_fields_stay_in_range),
-        cmocka_unit_test(test_curvature),
-        cmocka_unit_test(test_curvature_of_a_sphere),
-        cmocka_unit_test(test_laws),
-        cmocka_unit_test(test_pictures),
-        cmocka_unit_test(test_state_none),
-        cmocka_unit_test(test_host_operators),
+        cmocka_unit_test(test_links),      cmocka_unit_test(test_pairs_looked_at),
+        cmocka_unit_test(test_ties),       cmocka_unit_test(test_wide_links),
+        cmocka_unit_test(test_fields),     cmocka_unit_test(test_fields_stay_in_range),
+        cmocka_unit_test(test_curvature),  cmocka_unit_test(test_curvature_of_a_sphere),
+        cmocka_unit_test(test_laws),       cmocka_unit_test(test_pictures),
+        cmocka_unit_test(test_state_none), cmocka_unit_test(test_host_operators),
         cmocka_unit_test(test_thin),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
