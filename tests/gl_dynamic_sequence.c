@@ -143,6 +143,7 @@ typedef struct trial {
     int divisor;
     unsigned where;
     double allowed, share; /* 255ths that all pixels but this share of them keep to */
+    ref_dyn_shape shape;
 } trial;
 
 typedef struct tally {
@@ -157,6 +158,7 @@ static void draw_trial(harness *h, stage *s, const trial *t, uint64_t seed) {
     s->truth.combine = t->combine;
     s->truth.occluders = t->occluders;
     s->truth.layers = t->layers;
+    s->truth.shape = t->shape;
     set_truth(s, t->see);
     tr_result result = stage_draw(h, s, t->where & REVERSED);
     if (result != TR_OK)
@@ -213,29 +215,30 @@ static void run_trial(const trial *t, uint64_t seeds) {
 #define TOGETHER REF_DYN_TOGETHER
 #define EACH REF_DYN_EACH
 #define FEW 2.5e-4
+#define OUTLINE REF_DYN_OUTLINE
 
 static void sequences_are_the_truth_by_centres(void **state) {
     static const trial trials[] = {
-        {"each", TR_SEE_SEQUENCE, SOLIDS, MIN_, EACH, 0, 1, GL33, 2, FEW},
-        {"product, each", TR_SEE_SEQUENCE, SOLIDS, PRODUCT, EACH, 0, 1, GL33, 2, FEW},
-        {"together", TR_SEE_SEQUENCE, SOLIDS, MIN_, TOGETHER, 0, 1, GL33, 2, FEW},
-        {"impenetrable", TR_SEE_SEQUENCE, IMPENETRABLES | BACKDROPS, MIN_, TOGETHER, 0, 1, GL33, 2, FEW},
-        {"groups", TR_SEE_SEQUENCE, GROUPS, MIN_, TOGETHER, 0, 1, GL33, 2, FEW},
-        {"hollow, each", TR_SEE_SEQUENCE, HOLLOWS, MIN_, EACH, 0, 1, GL33, 2, FEW},
-        {"hollow, together", TR_SEE_SEQUENCE, HOLLOWS, MIN_, TOGETHER, 0, 1, GL33, 2, FEW},
-        {"importances", TR_SEE_SEQUENCE, IMPORTANCES, MIN_, TOGETHER, 0, 1, GL33, 2, FEW},
-        {"lights", TR_SEE_SEQUENCE, LIGHTS, MIN_, TOGETHER, 0, 1, GL33, 2, FEW},
-        {"fades, each", TR_SEE_SEQUENCE, FADES, MIN_, EACH, 0, 1, GL33, 2, FEW},
-        {"one layer", TR_SEE_SEQUENCE, SOLIDS, MIN_, TOGETHER, 1, 1, GL33, 2, FEW},
-        {"two layers, each", TR_SEE_SEQUENCE, IMPENETRABLES, MIN_, EACH, 2, 1, GL33, 2, FEW},
-        {"divisor 2", TR_SEE_SEQUENCE, SOLIDS, MIN_, TOGETHER, 0, 2, GL33, 2, 0.005},
-        {"divisor 4", TR_SEE_SEQUENCE, SOLIDS, MIN_, EACH, 0, 4, GL33, 2, 0.005},
-        {"divisor 8", TR_SEE_SEQUENCE, SOLIDS, MIN_, EACH, 0, 8, GL33, 2, 0.012},
-        {"8 bits, each", TR_SEE_SEQUENCE, SOLIDS, MIN_, EACH, 0, 1, EIGHT_BITS, 2.5, FEW},
-        {"8 bits, together", TR_SEE_SEQUENCE, SOLIDS, MIN_, TOGETHER, 0, 1, EIGHT_BITS, 3, FEW},
-        {"reversed z", TR_SEE_SEQUENCE, IMPENETRABLES, MIN_, TOGETHER, 0, 1, REVERSED, 2, FEW},
-        {"ES 3.0", TR_SEE_SEQUENCE, IMPENETRABLES, MIN_, TOGETHER, 0, 1, ES, 2, FEW},
-        {"ES 3.0, 8 bits", TR_SEE_SEQUENCE, IMPENETRABLES, MIN_, TOGETHER, 2, 2, ES | EIGHT_BITS, 3, 0.005},
+        {"each", TR_SEE_SEQUENCE, SOLIDS, MIN_, EACH, 0, 1, GL33, 2, FEW, OUTLINE},
+        {"product, each", TR_SEE_SEQUENCE, SOLIDS, PRODUCT, EACH, 0, 1, GL33, 2, FEW, OUTLINE},
+        {"together", TR_SEE_SEQUENCE, SOLIDS, MIN_, TOGETHER, 0, 1, GL33, 2, FEW, OUTLINE},
+        {"impenetrable", TR_SEE_SEQUENCE, IMPENETRABLES | BACKDROPS, MIN_, TOGETHER, 0, 1, GL33, 2, FEW, OUTLINE},
+        {"groups", TR_SEE_SEQUENCE, GROUPS, MIN_, TOGETHER, 0, 1, GL33, 2, FEW, OUTLINE},
+        {"hollow, each", TR_SEE_SEQUENCE, HOLLOWS, MIN_, EACH, 0, 1, GL33, 2, FEW, OUTLINE},
+        {"hollow, together", TR_SEE_SEQUENCE, HOLLOWS, MIN_, TOGETHER, 0, 1, GL33, 2, FEW, OUTLINE},
+        {"importances", TR_SEE_SEQUENCE, IMPORTANCES, MIN_, TOGETHER, 0, 1, GL33, 2, FEW, OUTLINE},
+        {"lights", TR_SEE_SEQUENCE, LIGHTS, MIN_, TOGETHER, 0, 1, GL33, 2, FEW, OUTLINE},
+        {"fades, each", TR_SEE_SEQUENCE, FADES, MIN_, EACH, 0, 1, GL33, 2, FEW, OUTLINE},
+        {"one layer", TR_SEE_SEQUENCE, SOLIDS, MIN_, TOGETHER, 1, 1, GL33, 2, FEW, OUTLINE},
+        {"two layers, each", TR_SEE_SEQUENCE, IMPENETRABLES, MIN_, EACH, 2, 1, GL33, 2, FEW, OUTLINE},
+        {"divisor 2", TR_SEE_SEQUENCE, SOLIDS, MIN_, TOGETHER, 0, 2, GL33, 2, 0.005, OUTLINE},
+        {"divisor 4", TR_SEE_SEQUENCE, SOLIDS, MIN_, EACH, 0, 4, GL33, 2, 0.005, OUTLINE},
+        {"divisor 8", TR_SEE_SEQUENCE, SOLIDS, MIN_, EACH, 0, 8, GL33, 2, 0.012, OUTLINE},
+        {"8 bits, each", TR_SEE_SEQUENCE, SOLIDS, MIN_, EACH, 0, 1, EIGHT_BITS, 2.5, FEW, OUTLINE},
+        {"8 bits, together", TR_SEE_SEQUENCE, SOLIDS, MIN_, TOGETHER, 0, 1, EIGHT_BITS, 3, FEW, OUTLINE},
+        {"reversed z", TR_SEE_SEQUENCE, IMPENETRABLES, MIN_, TOGETHER, 0, 1, REVERSED, 2, FEW, OUTLINE},
+        {"ES 3.0", TR_SEE_SEQUENCE, IMPENETRABLES, MIN_, TOGETHER, 0, 1, ES, 2, FEW, OUTLINE},
+        {"ES 3.0, 8 bits", TR_SEE_SEQUENCE, IMPENETRABLES, MIN_, TOGETHER, 2, 2, ES | EIGHT_BITS, 3, 0.005, OUTLINE},
     };
     (void)state;
     for (size_t i = 0; i < sizeof trials / sizeof trials[0]; ++i)
@@ -244,11 +247,12 @@ static void sequences_are_the_truth_by_centres(void **state) {
 
 static void published_is_the_paper(void **state) {
     static const trial trials[] = {
-        {"published", TR_SEE_PUBLISHED, SOLIDS, PRODUCT, EACH, 0, 1, GL33, 2, FEW},
-        {"published, impenetrable", TR_SEE_PUBLISHED, IMPENETRABLES | BACKDROPS, PRODUCT, EACH, 0, 1, GL33, 2, FEW},
-        {"published, groups, 8 bits", TR_SEE_PUBLISHED, GROUPS, PRODUCT, EACH, 0, 1, EIGHT_BITS, 3, FEW},
-        {"published, layers", TR_SEE_PUBLISHED, SOLIDS, PRODUCT, EACH, 2, 1, GL33, 2, FEW},
-        {"published, divisor 4", TR_SEE_PUBLISHED, SOLIDS, PRODUCT, EACH, 0, 4, GL33, 2, 0.005},
+        {"published", TR_SEE_PUBLISHED, SOLIDS, PRODUCT, EACH, 0, 1, GL33, 2, FEW, OUTLINE},
+        {"published, impenetrable", TR_SEE_PUBLISHED, IMPENETRABLES | BACKDROPS, PRODUCT, EACH, 0, 1, GL33, 2, FEW,
+         OUTLINE},
+        {"published, groups, 8 bits", TR_SEE_PUBLISHED, GROUPS, PRODUCT, EACH, 0, 1, EIGHT_BITS, 3, FEW, OUTLINE},
+        {"published, layers", TR_SEE_PUBLISHED, SOLIDS, PRODUCT, EACH, 2, 1, GL33, 2, FEW, OUTLINE},
+        {"published, divisor 4", TR_SEE_PUBLISHED, SOLIDS, PRODUCT, EACH, 0, 4, GL33, 2, 0.005, OUTLINE},
     };
     (void)state;
     for (size_t i = 0; i < sizeof trials / sizeof trials[0]; ++i)
@@ -257,34 +261,48 @@ static void published_is_the_paper(void **state) {
 
 static void exact_is_the_truth_per_pixel(void **state) {
     static const trial trials[] = {
-        {"exact", TR_SEE_EXACT, SOLIDS, MIN_, TOGETHER, 0, 1, GL33, 2, FEW},
-        {"exact, each", TR_SEE_EXACT, SOLIDS, MIN_, EACH, 0, 1, GL33, 2, FEW},
-        {"exact, product", TR_SEE_EXACT, SOLIDS, PRODUCT, TOGETHER, 0, 1, GL33, 2, FEW},
-        {"exact, impenetrable", TR_SEE_EXACT, IMPENETRABLES | BACKDROPS, MIN_, TOGETHER, 0, 1, GL33, 2, FEW},
-        {"exact, importances", TR_SEE_EXACT, IMPORTANCES | IMPENETRABLES, MIN_, TOGETHER, 0, 1, GL33, 2, FEW},
-        {"exact, hollow", TR_SEE_EXACT, HOLLOWS, MIN_, TOGETHER, 0, 1, GL33, 2, FEW},
-        {"exact, lights", TR_SEE_EXACT, LIGHTS, MIN_, TOGETHER, 0, 1, GL33, 2, FEW},
-        {"exact, fades", TR_SEE_EXACT, FADES, MIN_, TOGETHER, 0, 1, GL33, 2, FEW},
-        {"exact, one layer", TR_SEE_EXACT, SOLIDS, MIN_, TOGETHER, 1, 1, GL33, 2, FEW},
-        {"exact, three layers", TR_SEE_EXACT, IMPENETRABLES, MIN_, EACH, 3, 1, GL33, 2, FEW},
-        {"exact, two layers, together", TR_SEE_EXACT, IMPENETRABLES, MIN_, TOGETHER, 2, 1, GL33, 2, FEW},
-        {"exact, divisor 2", TR_SEE_EXACT, SOLIDS, MIN_, TOGETHER, 0, 2, GL33, 2, 0.005},
-        {"exact, 8 bits", TR_SEE_EXACT, SOLIDS, MIN_, TOGETHER, 0, 1, EIGHT_BITS, 2.5, FEW},
-        {"exact, reversed z", TR_SEE_EXACT, IMPENETRABLES, MIN_, TOGETHER, 0, 1, REVERSED, 2, FEW},
-        {"exact, ES 3.0, 8 bits", TR_SEE_EXACT, HOLLOWS, PRODUCT, TOGETHER, 0, 1, ES | EIGHT_BITS, 3, FEW},
-        {"exact, ES 3.0", TR_SEE_EXACT, IMPENETRABLES, MIN_, EACH, 0, 1, ES, 2, FEW},
+        {"exact", TR_SEE_EXACT, SOLIDS, MIN_, TOGETHER, 0, 1, GL33, 2, FEW, OUTLINE},
+        {"exact, each", TR_SEE_EXACT, SOLIDS, MIN_, EACH, 0, 1, GL33, 2, FEW, OUTLINE},
+        {"exact, product", TR_SEE_EXACT, SOLIDS, PRODUCT, TOGETHER, 0, 1, GL33, 2, FEW, OUTLINE},
+        {"exact, impenetrable", TR_SEE_EXACT, IMPENETRABLES | BACKDROPS, MIN_, TOGETHER, 0, 1, GL33, 2, FEW, OUTLINE},
+        {"exact, importances", TR_SEE_EXACT, IMPORTANCES | IMPENETRABLES, MIN_, TOGETHER, 0, 1, GL33, 2, FEW, OUTLINE},
+        {"exact, hollow", TR_SEE_EXACT, HOLLOWS, MIN_, TOGETHER, 0, 1, GL33, 2, FEW, OUTLINE},
+        {"exact, lights", TR_SEE_EXACT, LIGHTS, MIN_, TOGETHER, 0, 1, GL33, 2, FEW, OUTLINE},
+        {"exact, fades", TR_SEE_EXACT, FADES, MIN_, TOGETHER, 0, 1, GL33, 2, FEW, OUTLINE},
+        {"exact, one layer", TR_SEE_EXACT, SOLIDS, MIN_, TOGETHER, 1, 1, GL33, 2, FEW, OUTLINE},
+        {"exact, three layers", TR_SEE_EXACT, IMPENETRABLES, MIN_, EACH, 3, 1, GL33, 2, FEW, OUTLINE},
+        {"exact, two layers, together", TR_SEE_EXACT, IMPENETRABLES, MIN_, TOGETHER, 2, 1, GL33, 2, FEW, OUTLINE},
+        {"exact, divisor 2", TR_SEE_EXACT, SOLIDS, MIN_, TOGETHER, 0, 2, GL33, 2, 0.005, OUTLINE},
+        {"exact, 8 bits", TR_SEE_EXACT, SOLIDS, MIN_, TOGETHER, 0, 1, EIGHT_BITS, 2.5, FEW, OUTLINE},
+        {"exact, reversed z", TR_SEE_EXACT, IMPENETRABLES, MIN_, TOGETHER, 0, 1, REVERSED, 2, FEW, OUTLINE},
+        {"exact, ES 3.0, 8 bits", TR_SEE_EXACT, HOLLOWS, PRODUCT, TOGETHER, 0, 1, ES | EIGHT_BITS, 3, FEW, OUTLINE},
+        {"exact, ES 3.0", TR_SEE_EXACT, IMPENETRABLES, MIN_, EACH, 0, 1, ES, 2, FEW, OUTLINE},
     };
     (void)state;
     for (size_t i = 0; i < sizeof trials / sizeof trials[0]; ++i)
         run_trial(&trials[i], 10);
 }
 
+static void shapes_are_the_truth(void **state) {
+    static const trial trials[] = {
+        {"sequence, circle", TR_SEE_SEQUENCE, SOLIDS, MIN_, TOGETHER, 0, 1, GL33, 2, FEW, REF_DYN_CIRCLE},
+        {"sequence, ellipse", TR_SEE_SEQUENCE, IMPENETRABLES, MIN_, EACH, 0, 2, ES, 2, 0.005, REF_DYN_ELLIPSE},
+        {"sequence, hull", TR_SEE_SEQUENCE, SOLIDS, MIN_, EACH, 0, 1, EIGHT_BITS, 2.5, 0.01, REF_DYN_HULL},
+        {"published, circle", TR_SEE_PUBLISHED, IMPENETRABLES, PRODUCT, EACH, 0, 1, GL33, 2, FEW, REF_DYN_CIRCLE},
+        {"exact, circle", TR_SEE_EXACT, IMPENETRABLES, MIN_, TOGETHER, 0, 1, GL33, 2, 0.001, REF_DYN_CIRCLE},
+        {"exact, ellipse", TR_SEE_EXACT, SOLIDS, MIN_, TOGETHER, 0, 1, REVERSED, 2, 0.001, REF_DYN_ELLIPSE},
+        {"exact, hull", TR_SEE_EXACT, SOLIDS, MIN_, TOGETHER, 0, 1, ES, 2, 0.01, REF_DYN_HULL},
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof trials / sizeof trials[0]; ++i)
+        run_trial(&trials[i], 6);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(sequence_of_two_walls),
-        cmocka_unit_test(sequences_are_the_truth_by_centres),
-        cmocka_unit_test(published_is_the_paper),
-        cmocka_unit_test(exact_is_the_truth_per_pixel),
+        cmocka_unit_test(sequence_of_two_walls),  cmocka_unit_test(sequences_are_the_truth_by_centres),
+        cmocka_unit_test(published_is_the_paper), cmocka_unit_test(exact_is_the_truth_per_pixel),
+        cmocka_unit_test(shapes_are_the_truth),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
