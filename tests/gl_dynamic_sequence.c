@@ -283,14 +283,15 @@ static void exact_is_the_truth_per_pixel(void **state) {
         run_trial(&trials[i], 10);
 }
 
+/* A pixel of the outline on which rasteriser and ray disagree moves all of its circle. */
 static void shapes_are_the_truth(void **state) {
     static const trial trials[] = {
-        {"sequence, circle", TR_SEE_SEQUENCE, SOLIDS, MIN_, TOGETHER, 0, 1, GL33, 2, FEW, REF_DYN_CIRCLE},
+        {"sequence, circle", TR_SEE_SEQUENCE, SOLIDS, MIN_, TOGETHER, 0, 1, GL33, 2, 0.005, REF_DYN_CIRCLE},
         {"sequence, ellipse", TR_SEE_SEQUENCE, IMPENETRABLES, MIN_, EACH, 0, 2, ES, 2, 0.005, REF_DYN_ELLIPSE},
         {"sequence, hull", TR_SEE_SEQUENCE, SOLIDS, MIN_, EACH, 0, 1, EIGHT_BITS, 2.5, 0.01, REF_DYN_HULL},
-        {"published, circle", TR_SEE_PUBLISHED, IMPENETRABLES, PRODUCT, EACH, 0, 1, GL33, 2, FEW, REF_DYN_CIRCLE},
-        {"exact, circle", TR_SEE_EXACT, IMPENETRABLES, MIN_, TOGETHER, 0, 1, GL33, 2, 0.001, REF_DYN_CIRCLE},
-        {"exact, ellipse", TR_SEE_EXACT, SOLIDS, MIN_, TOGETHER, 0, 1, REVERSED, 2, 0.001, REF_DYN_ELLIPSE},
+        {"published, circle", TR_SEE_PUBLISHED, IMPENETRABLES, PRODUCT, EACH, 0, 1, GL33, 2, 0.005, REF_DYN_CIRCLE},
+        {"exact, circle", TR_SEE_EXACT, IMPENETRABLES, MIN_, TOGETHER, 0, 1, GL33, 2, 0.005, REF_DYN_CIRCLE},
+        {"exact, ellipse", TR_SEE_EXACT, SOLIDS, MIN_, TOGETHER, 0, 1, REVERSED, 2, 0.005, REF_DYN_ELLIPSE},
         {"exact, hull", TR_SEE_EXACT, SOLIDS, MIN_, TOGETHER, 0, 1, ES, 2, 0.01, REF_DYN_HULL},
     };
     (void)state;
