@@ -299,11 +299,127 @@ static void shapes_are_the_truth(void **state) {
         run_trial(&trials[i], 6);
 }
 
+/* ---- what is promised ---- */
+
+/* With targets white and all else black a pixel is the weight of its targets. 8 bits: 2 / 255 for rounding; see FEW. */
+static void farthest_targets_keep_their_weight(void **state) {
+    static const tr_see sees[] = {TR_SEE_EXACT, TR_SEE_SEQUENCE, TR_SEE_PUBLISHED};
+    static const char *const names[] = {"exact", "sequence", "published"};
+    harness h;
+    (void)state;
+    harness_open(&h, 330, false, NULL);
+    harness_target(&h, 64, 56);
+    stage *s = stage_new(64, 56);
+    for (int k = 0; k < 3; ++k)
+        s->scene.background[k] = 0;
+    for (int rung = 0; rung < 3; ++rung) {
+        size_t pixels = 0, below = 0;
+        double least = 1;
+        for (uint64_t seed = 100; seed < 200; ++seed) {
+            stage_clean(s);
+            scatter(s, seed, 14, 1 + seed % 6, seed % 2 ? IMPENETRABLES : SOLIDS);
+            for (size_t i = 0; i < s->count; ++i)
+                for (int k = 0; k < 3; ++k)
+                    s->meshes[i].color[k] = s->marks[i].flags & REF_DYN_TARGET ? 1 : 0;
+            set_truth(s, sees[rung]);
+            assert_int_equal(stage_draw(&h, s, false), TR_OK);
+            stage_read(&h, s);
+            s->truth.order = REF_DYN_PER_PIXEL; /* which pixels have an open target is no matter of the order */
+            stage_truth(s);
+            for (size_t i = 0; i < 64 * 56; ++i)
+                if (s->pixels[i].target && !s->pixels[i].left_out) {
+                    double weight = s->picture[4 * i] / 255.0;
+                    ++pixels;
+                    below += weight < 0.7 - 2 / 255.0;
+                    least = fmin(least, weight);
+                }
+        }
+        printf("    %-10s least weight of targets %.3f, %zu of %zu pixels below 0.7\n", names[rung], least, below,
+               pixels);
+        assert_true(pixels > 10000);
+        if (rung == 0)
+            assert_true((double)below <= FEW * (double)pixels);
+    }
+    stage_free(s);
+    harness_close(&h);
+}
+
+/* More walls than there are layers: the target keeps its weight, and the plan says that there may be more. */
+static void layers_too_many_lose_no_target(void **state) {
+    harness h;
+    const double ball[3] = {0.6, 0.6, 0.6}, target[3] = {0, 0, -6};
+    (void)state;
+    harness_open(&h, 330, false, NULL);
+    harness_target(&h, 64, 56);
+    stage *s = stage_new(64, 56);
+    stage_look(s, 12, 0, 0);
+    size_t white = stage_box(s, REF_DYN_TARGET, target, ball, 0.5);
+    for (int i = 0; i < 40; ++i)
+        stage_sheet(s, 0, -3, -3, 3, 3, -5 + 0.25 * i);
+    for (size_t i = 0; i < s->count; ++i)
+        for (int k = 0; k < 3; ++k)
+            s->meshes[i].color[k] = i == white;
+    for (int k = 0; k < 3; ++k)
+        s->scene.background[k] = 0;
+    set_truth(s, TR_SEE_EXACT);
+    assert_int_equal(stage_draw(&h, s, false), TR_OK);
+    const tr_see_plan *plan = tr_get_info(h.tr).see_plan;
+    assert_true(plan->layers == 16 && plan->layer_bound > plan->layers);
+    stage_read(&h, s);
+    const unsigned char *middle = s->picture + 4 * (28 * 64 + 32);
+    printf("    behind 40 walls: %d / 255\n", middle[0]);
+    assert_true(abs(middle[0] - 179) <= 2); /* 0.7 */
+    stage_free(s);
+    harness_close(&h);
+}
+
+/* Targets side by side behind one wall take one run of masks; what is not called for is not done. */
+static void only_what_is_called_for(void **state) {
+    harness h;
+    (void)state;
+    harness_open(&h, 330, false, NULL);
+    harness_target(&h, 160, 60);
+    for (int rung = 0; rung < 2; ++rung) {
+        tr_see see = rung ? TR_SEE_EXACT : TR_SEE_SEQUENCE;
+        stage *s = stage_new(160, 60);
+        stage_look(s, 12, 0, 0);
+        s->truth.width = 4;
+        s->truth.occluders = REF_DYN_EACH;
+        s->wish.mask_divisor = 1;
+        set_truth(s, see);
+        for (int i = 0; i < 4; ++i) {
+            const double ball[3] = {0.3, 0.3, 0.3}, middle[3] = {8.0 * i - 12, 0, -2};
+            stage_box(s, REF_DYN_TARGET, middle, ball, 0.3);
+        }
+        assert_int_equal(stage_draw(&h, s, false), TR_OK); /* nothing before them */
+        assert_int_equal(tr_get_info(h.tr).see_plan->see, TR_SEE_OFF);
+        assert_true(s->passes[TR_PASS_SCENE] == 1 && s->draws[TR_PASS_SCENE] == 4);
+        stage_sheet(s, 0, -20, -3, 20, 3, 1);
+        assert_int_equal(stage_draw(&h, s, false), TR_OK);
+        assert_int_equal(tr_get_info(h.tr).see_plan->runs, 1);
+        assert_true(s->passes[TR_PASS_SEEDS] == 1 && s->draws[TR_PASS_SEEDS] == 4);
+        assert_int_equal(s->passes[TR_PASS_BLOCK], 0);
+        assert_int_equal(s->passes[TR_PASS_COUNT], 0);
+        s->marks[4].flags = REF_DYN_IMPENETRABLE;
+        assert_int_equal(stage_draw(&h, s, false), TR_OK); /* nothing yields */
+        assert_int_equal(tr_get_info(h.tr).see_plan->see, TR_SEE_OFF);
+        s->marks[4].flags = 0;
+        s->units[3].unit.id = 0;
+        s->meshes[3].id = s->meshes[4].id; /* a target and a wall */
+        h.quiet = true;
+        assert_int_equal(stage_draw(&h, s, false), see == TR_SEE_EXACT ? TR_INVALID_ARGUMENT : TR_OK);
+        h.quiet = false;
+        stage_free(s);
+    }
+    harness_close(&h);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(sequence_of_two_walls),  cmocka_unit_test(sequences_are_the_truth_by_centres),
-        cmocka_unit_test(published_is_the_paper), cmocka_unit_test(exact_is_the_truth_per_pixel),
-        cmocka_unit_test(shapes_are_the_truth),
+        cmocka_unit_test(sequence_of_two_walls),          cmocka_unit_test(sequences_are_the_truth_by_centres),
+        cmocka_unit_test(published_is_the_paper),         cmocka_unit_test(exact_is_the_truth_per_pixel),
+        cmocka_unit_test(shapes_are_the_truth),           cmocka_unit_test(farthest_targets_keep_their_weight),
+        cmocka_unit_test(layers_too_many_lose_no_target), cmocka_unit_test(only_what_is_called_for),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

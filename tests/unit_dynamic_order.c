@@ -62,7 +62,7 @@ static void order_is_that_of_qsort(void **state) {
     for (int frame = 0; frame < 200; ++frame) {
         if (frame % 20 == 0)
             throw_ranks(); /* nothing is as it was: the heap */
-        else /* a few have moved: insertion */
+        else               /* a few have moved: insertion */
             for (int k = 0; k < 5; ++k)
                 ranks[(int)throw_dice(0, COUNT)].depth += throw_dice(-1, 1);
         for (uint32_t i = 0; i < COUNT; ++i)
