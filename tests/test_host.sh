@@ -1,8 +1,8 @@
 #!/bin/sh
 # test_host.sh [HOST] [FOLDER]
 #
-# Puts transparency.h into the engine of examples/host by docs/host_transparency.diff, in a copy, and holds what
-# docs/integration.md says of it: how many lines change; that frames without machines are, in all of the engine's targets,
+# Puts transparency.h into the engine of examples/host by docs/host_transparency.diff and, in another copy, dynamic
+# transparency by docs/host_dynamic.diff, and holds what docs/integration.md says of them: how many lines change; that frames without machines are, in all of the engine's targets,
 # what they were; that frames with machines show the hulls' insides; that the engine's state cache finds nothing changed,
 # and would find it. Run it from the top of the repository; HOST, by default build/host, is the engine without the header.
 set -u
@@ -48,16 +48,21 @@ differing() {
 }
 
 rm -rf "$work"
-mkdir -p "$work/after" "$work/careless"
-cp examples/host/*.[ch] "$work/after/"
+mkdir -p "$work/after" "$work/careless" "$work/seen"
 
-added=$(grep -v '^+++' docs/host_transparency.diff | grep -c '^+')
-taken=$(grep -v '^---' docs/host_transparency.diff | grep -c '^-')
-echo "test_host: the diff adds or changes $added lines, $taken of them in place of others"
-check 'at most 60 lines change' [ "$added" -le 60 ]
-check 'no more lines go than come' [ "$taken" -le "$added" ]
-check 'the diff applies' patch -s -p3 -d "$work/after" <docs/host_transparency.diff
-check 'the engine builds with the header' build after
+# apply DIFF NAME: the engine with docs/DIFF.diff in $work/NAME, and the program $work/NAME.out
+apply() {
+    cp examples/host/*.[ch] "$work/$2/"
+    added=$(grep -v '^+++' "docs/$1.diff" | grep -c '^+')
+    taken=$(grep -v '^---' "docs/$1.diff" | grep -c '^-')
+    echo "test_host: $1.diff adds or changes $added lines, $taken of them in place of others"
+    check "$1: at most 60 lines change" [ "$added" -le 60 ]
+    check "$1: no more lines go than come" [ "$taken" -le "$added" ]
+    check "$1: the diff applies" patch -s -p3 -d "$work/$2" <"docs/$1.diff"
+    check "$1: the engine builds with the header" build "$2"
+}
+apply host_transparency after
+apply host_dynamic seen
 
 # The same engine with one careless line, so that the check of its state cache is seen to find something.
 sed 's/{\.reversed_z = 1}/{.reversed_z = 1, .state = TR_STATE_LEAVE_DIRTY}/' "$work/after/renderer.c" >"$work/careless/renderer.c"
@@ -85,6 +90,23 @@ check 'with machines: hulls became glass' [ "$changed" -gt 2000 ]
 # Glass is written into one target and the depth; where no hull is, ids are what they were.
 check 'with machines: the depth holds the hulls, as before' same before.depth after.depth
 check 'with machines: ids of hulls alone are gone' [ "$(differing before.id after.id 0)" -lt 20000 ]
+
+# Dynamic transparency: soldiers behind the wall and the trees are seen through holes in what is before them.
+check 'seen: the state cache is right' draw "$work/seen.out" seen
+check 'seen, quiet place: the state cache is right' draw "$work/seen.out" seen_quiet --quiet-place
+for target in normal id depth picture; do
+    check "seen, quiet place: $target is what it was, bit for bit" same before_quiet.$target seen_quiet.$target
+done
+# soldiers PREFIX: samples that show one of the eight soldiers, whose numbers are the last eight that there are
+soldiers() {
+    od -An -v -tu2 -w2 "$work/$1.id" | awk '{ count[$1]++; if ($1 > most) most = $1 }
+        END { for (id = most - 7; id <= most; id++) sum += count[id]; print sum + 0 }'
+}
+before=$(soldiers before) seen=$(soldiers seen)
+echo "test_host: soldiers are seen in $before samples without, in $seen with dynamic transparency"
+check 'seen: more than twice as much of the soldiers' [ "$seen" -gt $((2 * before)) ]
+changed=$(differing before.normal seen.normal 0)
+check 'seen: normals change where there are holes, and nowhere else' [ "$changed" -gt 1000 -a "$changed" -lt 60000 ]
 
 echo "test_host: $passed passed, $failed failed"
 [ "$failed" -eq 0 ]
