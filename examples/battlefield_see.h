@@ -10,7 +10,7 @@ typedef struct battlefield_see {
     battlefield_gl *gl;
     tr_unit *units; /* of the parts that are not hidden, in the order of gl->all */
     size_t unit_count;
-    uint32_t *drawn;                  /* parts that a pass draws */
+    uint32_t *drawn;                    /* parts that a pass draws */
     uint32_t programs[TR_RULE_SEE_END]; /* 0: not met yet */
     const char *defines;
     bool es;
