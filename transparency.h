@@ -4298,7 +4298,7 @@ static int tr_i_is_lit(const tr_dynamic *dynamic, const tr_i_place *place, int b
 
 /* Whether a target in view has a mask at all. */
 static int tr_i_opens(const tr_dynamic *dynamic, const tr_unit *unit, const tr_i_place *place, int margin) {
-    return place->x1 != 0 && tr_i_strength_of(unit) > 0.0f &&
+    return place->x1 != 0 && tr_unit_code(unit) >> 24 != 0 && /* less than a step: none */
            (!(unit->flags & TR_UNIT_ACTIVE) || tr_i_is_lit(dynamic, place, margin));
 }
 
