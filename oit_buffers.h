@@ -183,7 +183,8 @@ extern "C" {
     X(OIT_TOO_LARGE, "the viewport is larger than the context's buffers or viewports can be")                          \
     X(OIT_PIXEL_TOO_DEEP, "one pixel alone has more fragments than the ceiling holds")                                 \
     X(OIT_WRONG_ORDER, "a function of a frame was called outside of it, or before its passes were done")               \
-    X(OIT_NOT_READY, "the GPU has not come as far yet; ask again")
+    X(OIT_NOT_READY, "the GPU has not come as far yet; ask again")                                                     \
+    X(OIT_NO_FETCH, "the context has no EXT_shader_framebuffer_fetch, or the target's depth cannot be shared with it")
 
 typedef enum oit_result {
 #define OIT_I_ENUM(name, text) name,
@@ -343,6 +344,7 @@ typedef enum oit_pass_kind {
     OIT_PASS_PREDICT, /* PREDICT: how long runs shall be */
     OIT_PASS_SETTLE,  /* PREDICT: how many fragments came, and where they were too many */
     OIT_PASS_GATHER,  /* LINKED: lists copied into runs */
+    OIT_PASS_LAY,     /* FETCH: the layers of a pass behind those before */
     OIT_PASS_KIND_COUNT
 } oit_pass_kind;
 
@@ -678,6 +680,19 @@ static const char *const oit_i_shader_oit_color_glsl[] = {
     "#else\n"
     "    return uintBitsToFloat(w);\n"
     "#endif\n"
+    "}\n"
+    "\n"
+    "// Word i of a record whose first eight are r and q.\n"
+    "#define OIT_SORTED_WORD(i) ((i) < 4 ? r[(i) & 3] : q[(i) & 3])\n"
+    "\n"
+    "uvec4 oit_color_words(uvec4 r, uvec4 q)\n"
+    "{\n"
+    "    uvec4 w = uvec4(OIT_SORTED_WORD(OIT_AT_COLOR), OIT_SORTED_WORD(OIT_AT_COLOR + 1), 0u, 0u);\n"
+    "#if OIT_COLOR == OIT_COLOR_FLOAT\n"
+    "    w.z = OIT_SORTED_WORD(OIT_AT_COLOR + 2);\n"
+    "    w.w = OIT_SORTED_WORD(OIT_AT_COLOR + 3);\n"
+    "#endif\n"
+    "    return w;\n"
     "}\n",
     0};
 static const char *const oit_i_shader_oit_compose_frag[] = {
@@ -738,7 +753,7 @@ static const char *const oit_i_shader_oit_compose_frag[] = {
     "    ivec2 where = ivec2(gl_FragCoord.xy) - oit_area.xy;\n"
     "    uint p = uint(where.y) * uint(oit_area.z) + uint(where.x);\n"
     "#if OIT_HAS_COVERAGE // each sample by itself where they differ, the whole pixel where not\n"
-    "    if ((oit_pixel[OIT_EDGE(p)] != 0u) != (OIT_COVERED == OIT_BY_SAMPLE))\n"
+    "    if (OIT_OUTSIDE || (oit_pixel[OIT_EDGE(p)] != 0u) != (OIT_COVERED == OIT_BY_SAMPLE))\n"
     "        discard;\n"
     "#endif\n"
     "    uint start = oit_pixel[OIT_START(p)], end = oit_pixel[OIT_START(p + 1u)];\n"
@@ -825,12 +840,14 @@ static const char *const oit_i_shader_oit_compose_glsl[] = {
     "    oit_through *= 1.0 - color.a;\n"
     "}\n"
     "\n"
+    "#if OIT_STORE != OIT_FETCH\n"
     "void oit_lay(uint at)\n"
     "{\n"
     "    uvec4 r, q;\n"
     "    oit_load(at, r, q);\n"
     "    oit_lay(r, q);\n"
     "}\n"
+    "#endif\n"
     "\n"
     "#if OIT_DEEP\n"
     "// Behind what is opaque all weights are zero, so that to stop there changes no bit.\n"
@@ -894,6 +911,10 @@ static const char *const oit_i_shader_oit_depth_frag[] = {
     "\n"
     "void main()\n"
     "{\n"
+    "#if OIT_HAS_COVERAGE\n"
+    "    if (OIT_OUTSIDE)\n"
+    "        discard;\n"
+    "#endif\n"
     "    ivec2 where = ivec2(gl_FragCoord.xy) - oit_area.xy;\n"
     "    uint base, n, at = OIT_NONE;\n"
     "    if (!oit_find_run(uint(where.y) * uint(oit_area.z) + uint(where.x), base, n))\n"
@@ -920,6 +941,27 @@ static const char *const oit_i_shader_oit_depth_frag[] = {
     "    discard;\n"
     "}\n",
     0};
+static const char *const oit_i_shader_oit_fetch_glsl[] = {
+    "#line 1\n"
+    "// For: oit_buffers.h\n"
+    "// OIT_STORE_FETCH: the nearest layers of a pass, held in the attachments and changed in place by the fragments of a pixel, one\n"
+    "// after the other as they are drawn.\n"
+    "layout(location = 0) inout highp uvec4 oit_layer_0;\n"
+    "layout(location = 1) inout highp uvec4 oit_layer_1;\n"
+    "layout(location = 2) inout highp uvec4 oit_layer_2;\n"
+    "#if OIT_FETCHED == 7\n"
+    "layout(location = 3) inout highp uvec4 oit_layer_3;\n"
+    "layout(location = 4) inout highp uvec4 oit_layer_4;\n"
+    "layout(location = 5) inout highp uvec4 oit_layer_5;\n"
+    "layout(location = 6) inout highp uvec4 oit_layer_6;\n"
+    "#define OIT_EACH_LAYER(X) \\\n"
+    "    X(oit_layer_0) X(oit_layer_1) X(oit_layer_2) X(oit_layer_3) X(oit_layer_4) X(oit_layer_5) X(oit_layer_6)\n"
+    "#else\n"
+    "#define OIT_EACH_LAYER(X) X(oit_layer_0) X(oit_layer_1) X(oit_layer_2)\n"
+    "#endif\n"
+    "// How many were like the last one that was composed; how many there were.\n"
+    "layout(location = OIT_FETCHED) inout highp uvec2 oit_seen;\n",
+    0};
 static const char *const oit_i_shader_oit_frame_block_glsl[] = {
     "#line 1\n"
     "// For: oit_buffers.h\n"
@@ -930,12 +972,13 @@ static const char *const oit_i_shader_oit_frame_block_glsl[] = {
     "    highp uvec4 oit_pool;  // x: pixels of the slab, y: first fragment of the band, z: capacity, w: blocks of the scan\n"
     "    highp uvec4 oit_step;  // x: 1 with the first slab of a frame, y: what is deeper is left to the program for all depths,\n"
     "                           // w: k of the stores that keep the k nearest; of others 1 where the fragments are stored before\n"
-    "                           // they are counted, 2 where they are stored again\n"
+    "                           // they are counted, 2 where they are stored again; of fetch how many passes there are, if known\n"
     "    highp uvec4 oit_above; // what is not deeper than this is left to the program before: of up to 8, 16, 32, 64\n"
     "    highp vec4 oit_light;  // xyz: toward the light, unit length; zero: no shading. w: weight of the background\n"
     "    highp vec4 oit_output; // x: transmittance below which the depth of the composite is taken\n"
-    "    highp uvec4 oit_samples;      // x: a bit for each sample of the target\n"
-    "    highp vec4 oit_positions[4];  // of two samples each, from the middle of the pixel\n"
+    "    highp ivec4 oit_part;          // x, y of the corner in the target, width and height of what is filled and composed now\n"
+    "    highp uvec4 oit_samples;       // x: a bit for each sample of the target\n"
+    "    highp vec4 oit_positions[4];   // of two samples each, from the middle of the pixel\n"
     "};\n"
     "\n"
     "// The pixel buffer: 16 words of totals, then two words a pixel (where its run starts; how many fragments are still to\n"
@@ -969,6 +1012,10 @@ static const char *const oit_i_shader_oit_frame_block_glsl[] = {
     "#define OIT_DIRECT (OIT_KEEPS == 0 && oit_step.w == 1u)\n"
     "#define OIT_AGAIN (OIT_KEEPS == 0 && oit_step.w == 2u)\n"
     "\n"
+    "// OIT_STORE_FETCH: eleven words a pixel: the last record that was composed and how many were like it; light and transmittance\n"
+    "// of what was.\n"
+    "#define OIT_LAID(p) (OIT_MORE + 11u * (p))\n"
+    "\n"
     "// OIT_STORE_LINKED: one more than the place of the pixel's last record; 0: none.\n"
     "#define OIT_HEAD(p) OIT_OWN(p)\n"
     "\n"
@@ -981,19 +1028,23 @@ static const char *const oit_i_shader_oit_frame_block_glsl[] = {
     "#define OIT_WANTED(p) OIT_LEFT(p)\n"
     "#endif\n"
     "#define OIT_NONE 0xffffffffu\n"
-    "\n"
+    "\n",
+    "#line 66\n"
     "// With OIT_HAS_COVERAGE one word a pixel follows: 1 where a fragment covers not all of its samples.\n"
     "#if OIT_KEEPS\n"
     "#define OIT_EDGE(p) (OIT_BUCKET(OIT_STORE == OIT_BUCKETED ? oit_pool.x : 0u, 0u) + (p))\n"
     "#else\n"
     "#define OIT_EDGE(p) (OIT_TAIL(oit_pool.x * uint(OIT_ASYNC)) + (p))\n"
     "#endif\n"
-    "\n",
-    "#line 68\n"
+    "\n"
     "// With what is to come of a pixel whose run does not fit. A pixel has less than 2^30 fragments.\n"
     "#define OIT_UNFIT 0x40000000u\n"
     "// How many places are left, without that; negative: so many came too much.\n"
     "#define OIT_TRUE_LEFT(left) (int(left) - (OIT_ASYNC == 1 && int(left) >= 0x20000000 ? 0x40000000 : 0))\n"
+    "\n"
+    "// Mesa 22's software driver lets multisampled fragments pass beyond the scissor box, by one pixel to the left and below.\n"
+    "#define OIT_OUTSIDE (any(lessThan(ivec2(gl_FragCoord.xy), oit_part.xy)) || \\\n"
+    "                     any(greaterThanEqual(ivec2(gl_FragCoord.xy), oit_part.xy + oit_part.zw)))\n"
     "\n"
     "// The part of a pixel that some of its samples are.\n"
     "#define OIT_SHARE(covered) (float(bitCount(covered)) / float(max(bitCount(oit_samples.x), 1)))\n"
@@ -1120,6 +1171,103 @@ static const char *const oit_i_shader_oit_keep_comp[] = {
     "        atomicAdd(oit_pixel[OIT_LOST_PIXELS], oit_all[2]);\n"
     "        atomicAdd(oit_pixel[OIT_LOST], oit_all[3]);\n"
     "    }\n"
+    "}\n",
+    0};
+static const char *const oit_i_shader_oit_laid_frag[] = {
+    "#line 1\n"
+    "// For: oit_buffers.h\n"
+    "// OIT_STORE_FETCH: what has come of all layers, over the target.\n"
+    "#if OIT_MODE == OIT_MODE_DUAL\n"
+    "layout(location = 0, index = 0) out highp vec4 oit_out;\n"
+    "layout(location = 0, index = 1) out highp vec4 oit_keep;\n"
+    "#else\n"
+    "layout(location = 0) out highp vec4 oit_out;\n"
+    "#endif\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    ivec2 where = ivec2(gl_FragCoord.xy) - oit_area.xy;\n"
+    "    uint p = uint(where.y) * uint(oit_area.z) + uint(where.x), at = OIT_LAID(p) + 5u;\n"
+    "    if (oit_pixel[OIT_LEFT(p)] == 0u)\n"
+    "        discard;\n"
+    "    vec3 sum = uintBitsToFloat(uvec3(oit_pixel[at], oit_pixel[at + 1u], oit_pixel[at + 2u]));\n"
+    "    vec3 through = uintBitsToFloat(uvec3(oit_pixel[at + 3u], oit_pixel[at + 4u], oit_pixel[at + 5u]));\n"
+    "#if OIT_MODE == OIT_MODE_DUAL\n"
+    "    oit_out = vec4(sum, 0.0);\n"
+    "    oit_keep = vec4(oit_light.w * through, 0.0);\n"
+    "#elif OIT_MODE == OIT_MODE_FILTER\n"
+    "    oit_out = vec4(oit_light.w * through, 0.0);\n"
+    "#elif OIT_MODE == OIT_MODE_LIGHT\n"
+    "    oit_out = vec4(sum, 0.0);\n"
+    "#else\n"
+    "    oit_out = vec4(sum, oit_light.w * through.r);\n"
+    "#endif\n"
+    "}\n",
+    0};
+static const char *const oit_i_shader_oit_lay_frag[] = {
+    "#line 1\n"
+    "// For: oit_buffers.h\n"
+    "// OIT_STORE_FETCH, after a geometry pass: the layers that it left, laid behind those of the passes before, and taken away for\n"
+    "// the next. With OIT_FIRST, before the first: nothing laid yet.\n"
+    "#if OIT_FIRST == 0\n"
+    "void oit_lay_next(uvec4 layer, inout uvec4 last, inout uint copies)\n"
+    "{\n"
+    "    if (layer.x == OIT_NONE)\n"
+    "        return;\n"
+    "    copies = layer == last ? copies + 1u : 1u;\n"
+    "    last = layer;\n"
+    "    oit_lay(layer, uvec4(0u));\n"
+    "}\n"
+    "\n"
+    "void oit_count_lost(uint p, uint count)\n"
+    "{\n"
+    "    uint most = oit_step.w * uint(OIT_FETCHED);\n"
+    "    oit_pixel[OIT_LEFT(p)] = count;\n"
+    "    if (most == 0u || count <= most)\n"
+    "        return;\n"
+    "    atomicAdd(oit_pixel[OIT_LOST_PIXELS], 1u);\n"
+    "    atomicAdd(oit_pixel[OIT_LOST], count - most);\n"
+    "}\n"
+    "#endif\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    ivec2 where = ivec2(gl_FragCoord.xy) - oit_area.xy;\n"
+    "    uint p = uint(where.y) * uint(oit_area.z) + uint(where.x), at = OIT_LAID(p);\n"
+    "#if OIT_FIRST\n"
+    "    for (uint i = 0u; i < 8u; ++i)\n"
+    "        oit_pixel[at + i] = 0u;\n"
+    "    for (uint i = 8u; i < 11u; ++i)\n"
+    "        oit_pixel[at + i] = floatBitsToUint(1.0);\n"
+    "    if (p < OIT_HEADER)\n"
+    "        oit_pixel[p] = 0u;\n"
+    "#else\n"
+    "    uvec4 last = uvec4(oit_pixel[at], oit_pixel[at + 1u], oit_pixel[at + 2u], oit_pixel[at + 3u]);\n"
+    "    uint copies = oit_pixel[at + 4u];\n"
+    "    if (copies == 0u)\n"
+    "        oit_count_lost(p, oit_seen.y);\n"
+    "    for (uint c = 0u; c < 3u; ++c)\n"
+    "        oit_sum[c] = uintBitsToFloat(oit_pixel[at + 5u + c]);\n"
+    "#if OIT_HAS_BLEND\n"
+    "    for (uint c = 0u; c < 3u; ++c)\n"
+    "        oit_through[c] = uintBitsToFloat(oit_pixel[at + 8u + c]);\n"
+    "#else\n"
+    "    oit_through = uintBitsToFloat(oit_pixel[at + 8u]);\n"
+    "#endif\n"
+    "#define OIT_LAY_NEXT(l) oit_lay_next(l, last, copies);\n"
+    "    OIT_EACH_LAYER(OIT_LAY_NEXT)\n"
+    "    for (uint c = 0u; c < 4u; ++c)\n"
+    "        oit_pixel[at + c] = last[c];\n"
+    "    oit_pixel[at + 4u] = copies;\n"
+    "    vec3 through = vec3(oit_through);\n"
+    "    for (uint c = 0u; c < 3u; ++c) {\n"
+    "        oit_pixel[at + 5u + c] = floatBitsToUint(oit_sum[c]);\n"
+    "        oit_pixel[at + 8u + c] = floatBitsToUint(through[c]);\n"
+    "    }\n"
+    "#endif\n"
+    "#define OIT_TAKE_AWAY(l) l = uvec4(OIT_NONE);\n"
+    "    OIT_EACH_LAYER(OIT_TAKE_AWAY)\n"
+    "    oit_seen = uvec2(0u);\n"
     "}\n",
     0};
 static const char *const oit_i_shader_oit_ordered_glsl[] = {
@@ -1273,7 +1421,6 @@ static const char *const oit_i_shader_oit_record_glsl[] = {
     "\n"
     "// The words by which records are sorted and composed: the first OIT_SORTED of them, depth to colour and blend, in two\n"
     "// vectors; zeros after them. What a record carries beyond cannot be seen in the picture.\n"
-    "#define OIT_SORTED_WORD(i) ((i) < 4 ? r[(i) & 3] : q[(i) & 3])\n"
     "void oit_load(uint at, out uvec4 r, out uvec4 q)\n"
     "{\n"
     "    q = uvec4(0u);\n"
@@ -1303,16 +1450,6 @@ static const char *const oit_i_shader_oit_record_glsl[] = {
     "#if OIT_SORTED < 8\n"
     "    q.w = 0u;\n"
     "#endif\n"
-    "}\n"
-    "\n"
-    "uvec4 oit_color_words(uvec4 r, uvec4 q)\n"
-    "{\n"
-    "    uvec4 w = uvec4(OIT_SORTED_WORD(OIT_AT_COLOR), OIT_SORTED_WORD(OIT_AT_COLOR + 1), 0u, 0u);\n"
-    "#if OIT_COLOR == OIT_COLOR_FLOAT\n"
-    "    w.z = OIT_SORTED_WORD(OIT_AT_COLOR + 2);\n"
-    "    w.w = OIT_SORTED_WORD(OIT_AT_COLOR + 3);\n"
-    "#endif\n"
-    "    return w;\n"
     "}\n"
     "\n"
     "#if defined(OIT_SETTLES) && OIT_ASYNC\n"
@@ -1499,7 +1636,7 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "#if OIT_HAS_COVERAGE && OIT_POST_DEPTH\n"
     "layout(post_depth_coverage) in;\n"
     "#endif\n"
-    "#if OIT_PASS == OIT_FILL\n"
+    "#if OIT_PASS == OIT_FILL && OIT_STORE != OIT_FETCH\n"
     "layout(std430, binding = OIT_BINDING_FRAGMENTS) writeonly buffer oit_fragments { OIT_VECTOR oit_data[]; };\n"
     "#endif\n"
     "\n"
@@ -1619,9 +1756,9 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "#endif\n"
     "\n"
     "#if OIT_KEEPS && OIT_PASS == OIT_COUNT\n"
-    "// Leaves the k + 1 smallest keys of the pixel in its k + 1 words, in no order. A word only ever gets smaller, and by a\n"
-    "// swap that fails where another fragment was there before. So when the swap succeeds, all that was read of the other words\n",
-    "#line 131\n"
+    "// Leaves the k + 1 smallest keys of the pixel in its k + 1 words, in no order. A word only ever gets smaller, and by a\n",
+    "#line 130\n"
+    "// swap that fails where another fragment was there before. So when the swap succeeds, all that was read of the other words\n"
     "// is still an upper bound of them: the key that goes is the greatest of the k + 2, whatever else is under way, and a key\n"
     "// that is not less than all words read is not less than all words are. The smallest k + 1 stay, in any order of arrival.\n"
     "// No word ever exceeds the limit once it is set, which spares most fragments the search.\n"
@@ -1707,6 +1844,29 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "#endif\n"
     "}\n"
     "\n"
+    "#if OIT_STORE == OIT_FETCH\n"
+    "bool oit_before(uvec4 a, uvec4 b)\n"
+    "{\n"
+    "    return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z != b.z ? a.z < b.z : a.w < b.w;\n"
+    "}\n"
+    "\n"
+    "// Into the layers of this pass, nearest first; what falls out is for a later pass. What has been composed is passed over:\n"
+    "// all that comes before the last record that was, and of those like it, which no one can tell apart, as many as were.\n"
+    "void oit_put(uint p, uvec4 r)\n"
+    "{\n"
+    "    uint at = OIT_LAID(p), copies = oit_pixel[at + 4u];\n"
+    "    uvec4 last = uvec4(oit_pixel[at], oit_pixel[at + 1u], oit_pixel[at + 2u], oit_pixel[at + 3u]);\n"
+    "    oit_seen.y += 1u;\n"
+    "    if (copies > 0u && !oit_before(last, r)) {\n"
+    "        oit_seen.x += r == last ? 1u : 0u;\n"
+    "        if (r != last || oit_seen.x <= copies)\n"
+    "            return;\n"
+    "    }\n",
+    "#line 234\n"
+    "#define OIT_EXCHANGE(l) if (oit_before(r, l)) { uvec4 kept = l; l = r; r = kept; }\n"
+    "    OIT_EACH_LAYER(OIT_EXCHANGE)\n"
+    "}\n"
+    "#else\n"
     "void oit_write(uint at, uint w[OIT_VECTORS * OIT_LANES])\n"
     "{\n"
     "    for (int i = 0; i < OIT_VECTORS; ++i)\n"
@@ -1716,8 +1876,9 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "        oit_data[at + uint(i)] = uvec2(w[2 * i], w[2 * i + 1]);\n"
     "#endif\n"
     "}\n"
+    "#endif\n"
     "\n"
-    "#if OIT_ASYNC || OIT_KEEPS\n"
+    "#if (OIT_ASYNC || OIT_KEEPS) && OIT_STORE != OIT_FETCH\n"
     "#if OIT_HAS_COVERAGE\n"
     "#define OIT_COVERED_NOW oit_coverage()\n"
     "#else\n"
@@ -1738,8 +1899,7 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "// With the colour as it would be read back: what is stored of the same pixel is added by others from there.\n"
     "void oit_to_tail(uint p, oit_fragment f, uint w[OIT_VECTORS * OIT_LANES])\n"
     "{\n"
-    "    uvec4 words = uvec4(w[OIT_AT_COLOR], w[OIT_AT_COLOR + 1], 0u, 0u);\n",
-    "#line 248\n"
+    "    uvec4 words = uvec4(w[OIT_AT_COLOR], w[OIT_AT_COLOR + 1], 0u, 0u);\n"
     "#if OIT_COLOR == OIT_COLOR_FLOAT\n"
     "    words.zw = uvec2(w[OIT_AT_COLOR + 2], w[OIT_AT_COLOR + 3]);\n"
     "#endif\n"
@@ -1782,6 +1942,8 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "{\n"
     "    uint p = oit_pixel_index();\n"
     "#if OIT_HAS_COVERAGE\n"
+    "    if (OIT_OUTSIDE)\n"
+    "        return;\n"
     "    if (oit_coverage() != oit_samples.x)\n"
     "        oit_pixel[OIT_EDGE(p)] = 1u;\n"
     "#endif\n"
@@ -1789,6 +1951,10 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "    oit_select(p, oit_key(f));\n"
     "#elif OIT_PASS == OIT_COUNT\n"
     "    atomicAdd(oit_pixel[OIT_WANTED(p)], 1u);\n"
+    "#elif OIT_STORE == OIT_FETCH\n"
+    "    uint w[4];\n"
+    "    oit_pack(f, w);\n"
+    "    oit_put(p, uvec4(w[0], w[1], w[2], w[3]));\n"
     "#else\n"
     "#if OIT_KEEPS\n"
     "    if (oit_key(f) >= oit_pixel[OIT_LIMIT(p)]) {\n"
@@ -1822,7 +1988,8 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "    // Nothing is written outside of the run, however many fragments come: after as many as were counted, what is left is\n"
     "    // 0, and then wraps to more than any pool holds.\n"
     "    uint w[OIT_VECTORS * OIT_LANES];\n"
-    "    oit_pack(f, w);\n"
+    "    oit_pack(f, w);\n",
+    "#line 360\n"
     "    uint slot = oit_pixel[OIT_START(p)] + left - 1u - oit_pool.y;\n"
     "    if (left - 1u >= oit_pool.z || slot >= oit_pool.z) {\n"
     "#if OIT_STORE != OIT_PREDICT\n"
@@ -2011,6 +2178,10 @@ static const char *const oit_i_shader_oit_tail_frag[] = {
     "\n"
     "void main()\n"
     "{\n"
+    "#if OIT_HAS_COVERAGE\n"
+    "    if (OIT_OUTSIDE)\n"
+    "        discard;\n"
+    "#endif\n"
     "    ivec2 where = ivec2(gl_FragCoord.xy) - oit_area.xy;\n"
     "    uint p = uint(where.y) * uint(oit_area.z) + uint(where.x);\n"
     "    uint start = oit_pixel[OIT_START(p)], end = oit_pixel[OIT_START(p + 1u)];\n"
@@ -2156,6 +2327,7 @@ static const char *const oit_i_shader_oit_tops_comp[] = {
 #define OIT_I_GL_BUFFER_SIZE 0x8764u
 #define OIT_I_GL_BUFFER_UPDATE_BARRIER 0x00000200u
 #define OIT_I_GL_CLIP_DISTANCE0 0x3000u
+#define OIT_I_GL_COLOR_ATTACHMENT0 0x8CE0u
 #define OIT_I_GL_COLOR_LOGIC_OP 0x0BF2u
 #define OIT_I_GL_COLOR_WRITEMASK 0x0C23u
 #define OIT_I_GL_COMPILE_STATUS 0x8B81u
@@ -2164,6 +2336,8 @@ static const char *const oit_i_shader_oit_tops_comp[] = {
 #define OIT_I_GL_COPY_WRITE_BUFFER 0x8F37u
 #define OIT_I_GL_CULL_FACE 0x0B44u
 #define OIT_I_GL_CURRENT_PROGRAM 0x8B8Du
+#define OIT_I_GL_DEPTH 0x1801u
+#define OIT_I_GL_DEPTH_ATTACHMENT 0x8D00u
 #define OIT_I_GL_DEPTH_CLAMP 0x864Fu
 #define OIT_I_GL_DEPTH_FUNC 0x0B74u
 #define OIT_I_GL_DEPTH_RANGE 0x0B70u
@@ -2178,6 +2352,9 @@ static const char *const oit_i_shader_oit_tops_comp[] = {
 #define OIT_I_GL_EXTENSIONS 0x1F03u
 #define OIT_I_GL_FILL 0x1B02u
 #define OIT_I_GL_FRAGMENT_SHADER 0x8B30u
+#define OIT_I_GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME 0x8CD1u
+#define OIT_I_GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE 0x8CD0u
+#define OIT_I_GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LEVEL 0x8CD2u
 #define OIT_I_GL_FRAMEBUFFER_COMPLETE 0x8CD5u
 #define OIT_I_GL_FRONT_AND_BACK 0x0408u
 #define OIT_I_GL_FUNC_ADD 0x8006u
@@ -2202,6 +2379,9 @@ static const char *const oit_i_shader_oit_tops_comp[] = {
 #define OIT_I_GL_POLYGON_OFFSET_FILL 0x8037u
 #define OIT_I_GL_POLYGON_OFFSET_LINE 0x2A02u
 #define OIT_I_GL_POLYGON_OFFSET_POINT 0x2A01u
+#define OIT_I_GL_RENDERBUFFER 0x8D41u
+#define OIT_I_GL_RG32UI 0x823Cu
+#define OIT_I_GL_RGBA32UI 0x8D70u
 #define OIT_I_GL_RASTERIZER_DISCARD 0x8C89u
 #define OIT_I_GL_SAMPLES 0x80A9u
 #define OIT_I_GL_SAMPLE_ALPHA_TO_COVERAGE 0x809Eu
@@ -2220,6 +2400,9 @@ static const char *const oit_i_shader_oit_tops_comp[] = {
 #define OIT_I_GL_STENCIL_TEST 0x0B90u
 #define OIT_I_GL_SYNC_FLUSH_COMMANDS_BIT 0x0001u
 #define OIT_I_GL_SYNC_GPU_COMMANDS_COMPLETE 0x9117u
+#define OIT_I_GL_TEXTURE 0x1702u
+#define OIT_I_GL_TEXTURE_2D 0x0DE1u
+#define OIT_I_GL_TEXTURE_BINDING_2D 0x8069u
 #define OIT_I_GL_TRIANGLES 0x0004u
 #define OIT_I_GL_UNIFORM_BUFFER 0x8A11u
 #define OIT_I_GL_UNIFORM_BUFFER_BINDING 0x8A28u
@@ -2319,6 +2502,19 @@ typedef const char *const *oit_i_strings;
 
 #define OIT_I_GL_ES(X) X(void, DepthRangef, (float, float))
 
+/* OIT_STORE_FETCH alone. */
+#define OIT_I_GL_FETCH(X)                                                                                              \
+    X(void, BindTexture, (oit_i_u, oit_i_u))                                                                           \
+    X(void, DeleteFramebuffers, (int32_t, const oit_i_u *))                                                            \
+    X(void, DeleteTextures, (int32_t, const oit_i_u *))                                                                \
+    X(void, DrawBuffers, (int32_t, const oit_i_u *))                                                                   \
+    X(void, FramebufferRenderbuffer, (oit_i_u, oit_i_u, oit_i_u, oit_i_u))                                             \
+    X(void, FramebufferTexture2D, (oit_i_u, oit_i_u, oit_i_u, oit_i_u, int32_t))                                       \
+    X(void, GenFramebuffers, (int32_t, oit_i_u *))                                                                     \
+    X(void, GenTextures, (int32_t, oit_i_u *))                                                                         \
+    X(void, GetFramebufferAttachmentParameteriv, (oit_i_u, oit_i_u, oit_i_u, int32_t *))                               \
+    X(void, TexStorage2D, (oit_i_u, int32_t, oit_i_u, int32_t, int32_t))
+
 typedef void *oit_i_sync;
 
 /* Members are pasted names, because <windows.h> has a macro for one of them. */
@@ -2329,6 +2525,7 @@ typedef struct oit_i_gl {
     OIT_I_GL_DESKTOP(OIT_I_MEMBER)
     OIT_I_GL_INDEXED(OIT_I_MEMBER)
     OIT_I_GL_ES(OIT_I_MEMBER)
+    OIT_I_GL_FETCH(OIT_I_MEMBER)
 #undef OIT_I_MEMBER
 } oit_i_gl;
 
@@ -2372,6 +2569,8 @@ enum {
     OIT_I_PROGRAM_COUNT,
     OIT_I_PROGRAM_FILL,
     OIT_I_PROGRAM_FILL_LIT,
+    OIT_I_PROGRAM_FIRST, /* OIT_STORE_FETCH */
+    OIT_I_PROGRAM_LAY,
     OIT_I_PROGRAM_COMPOSE, /* one a class, then that of the tail; all once more for the second draw */
     OIT_I_PROGRAM_SAMPLED = OIT_I_PROGRAM_COMPOSE + 2 * (OIT_I_CLASSES + 1), /* the same, sample by sample */
     OIT_I_PROGRAM_PICK = OIT_I_PROGRAM_SAMPLED + 2 * (OIT_I_CLASSES + 1),
@@ -2388,6 +2587,7 @@ typedef struct oit_i_block {
     int32_t area[4];
     oit_i_u pool[4], step[4], above[4];
     float light[4], output[4];
+    int32_t part[4];
     oit_i_u samples[4];
     float positions[OIT_MAX_SAMPLES][2];
 } oit_i_block;
@@ -2441,6 +2641,8 @@ typedef enum oit_i_step {
     OIT_I_STEP_PREDICT,
     OIT_I_STEP_SETTLE,
     OIT_I_STEP_GATHER,
+    OIT_I_STEP_FIRST, /* OIT_STORE_FETCH: its targets made empty; then, after each fill, */
+    OIT_I_STEP_LAY,
     OIT_I_STEP_CHECK, /* OIT_FIT_WAIT: totals again, to see whether all that was stored before it was counted found place */
     OIT_I_STEP_FILL,
     OIT_I_STEP_FILLED, /* all that is stored of the last part, which waits for oit_compose */
@@ -2495,15 +2697,18 @@ struct oit_context {
     int slot;                   /* of the frame's report; -1: none is free */
     oit_i_snapshot saved;
     oit_frame frame;
-    const oit_i_list *list; /* of the frame's steps */
+    oit_i_u fetch_framebuffer, fetch_targets[8]; /* OIT_STORE_FETCH: layers, and what has been seen */
+    int fetch_width, fetch_height, fetched;      /* of the targets; layers a pass */
+    int fetches, fetch;                          /* passes that the frame has; is in */
+    const oit_i_list *list;                      /* of the frame's steps */
     oit_i_step step;
     oit_result failure; /* of this frame */
     int rows, slab_y, slab_rows;
-    int layers;              /* k of the stores that keep the k nearest; 0 for the others */
-    int part[4];             /* x, y, width, height of the band within the slab */
-    oit_i_u part_start;      /* its first fragment */
-    oit_i_u needed, deepest; /* of the slab; OIT_FIT_WAIT */
-    int compose_index;
+    int layers;                  /* k of the stores that keep the k nearest; 0 for the others */
+    int part[4];                 /* x, y, width, height of the band within the slab */
+    oit_i_u part_start;          /* its first fragment */
+    oit_i_u needed, deepest;     /* of the slab; OIT_FIT_WAIT */
+    int compose_index, composes; /* the next draw; whether one was drawn of this part */
     oit_i_u bands;
     int in_frame, saved_state;
     oit_i_pick_slot picks[OIT_MAX_PICKS];
@@ -2598,9 +2803,9 @@ OIT_I_API const char *oit_result_string(oit_result result) {
 }
 
 OIT_I_API const char *oit_pass_kind_name(oit_pass_kind kind) {
-    static const char *const names[OIT_PASS_KIND_COUNT] = {"clear",  "count", "sum",     "tops",   "spread",
-                                                           "report", "fill",  "compose", "keep",   "arrange",
-                                                           "pick",   "depth", "predict", "settle", "gather"};
+    static const char *const names[OIT_PASS_KIND_COUNT] = {
+        "clear", "count",   "sum",  "tops",  "spread",  "report", "fill",   "compose",
+        "keep",  "arrange", "pick", "depth", "predict", "settle", "gather", "lay"};
     return (unsigned)kind < (unsigned)OIT_PASS_KIND_COUNT ? names[kind] : "not a pass";
 }
 
@@ -2623,6 +2828,7 @@ static void oit_i_load(const oit_desc *desc, oit_i_gl *gl) {
     (void)desc;
     OIT_I_GL_QUERIES(OIT_I_TAKE)
     OIT_I_GL_REQUIRED(OIT_I_TAKE)
+    OIT_I_GL_FETCH(OIT_I_TAKE)
 #if defined(GL_VERSION_4_1)
     OIT_I_GL_DESKTOP(OIT_I_TAKE)
 #endif
@@ -2642,6 +2848,7 @@ static void oit_i_load(const oit_desc *desc, oit_i_gl *gl) {
     OIT_I_GL_DESKTOP(OIT_I_TAKE)
     OIT_I_GL_INDEXED(OIT_I_TAKE)
     OIT_I_GL_ES(OIT_I_TAKE)
+    OIT_I_GL_FETCH(OIT_I_TAKE)
 #undef OIT_I_TAKE
 }
 #endif
@@ -2663,6 +2870,9 @@ static oit_result oit_i_check_functions(oit_context *oit) {
         OIT_I_GL_ES(OIT_I_CHECK)
     } else {
         OIT_I_GL_DESKTOP(OIT_I_CHECK)
+    }
+    if (desc->store == OIT_STORE_FETCH) {
+        OIT_I_GL_FETCH(OIT_I_CHECK)
     }
     oit->has_indexed = 1;
     if (!oit->info.es) {
@@ -2834,6 +3044,15 @@ static int oit_i_keeps(const oit_desc *desc) {
     return desc->store == OIT_STORE_BUDGET || desc->store == OIT_STORE_BUCKETED;
 }
 
+/* Where the words of a record lie, in the order in which they are compared; 0: not there. */
+typedef struct oit_i_record {
+    int part, key, color, blend, normal, uv, coverage, host, link, words, lanes;
+    int sorted;         /* words up to colour, blend and coverage, by which runs are sorted and composed: 8 at most */
+    int coverage_shift; /* bits; coverage shares the word of blend where that has one */
+} oit_i_record;
+
+static oit_i_record oit_i_layout(const oit_desc *desc);
+
 static const char *oit_i_bad_member(const oit_desc *desc) {
 #ifndef OIT_GL_STATIC
     if (!desc->get_proc)
@@ -2853,8 +3072,12 @@ static const char *oit_i_bad_member(const oit_desc *desc) {
         return "store is none of its enumerators";
     if (desc->headroom > 64)
         return "headroom is more than 64 sixteenths";
-    if (desc->store == OIT_STORE_FETCH)
-        return "store is one that this version does not have";
+    if (desc->store == OIT_STORE_FETCH && desc->state == OIT_STATE_NONE)
+        return "OIT_STORE_FETCH draws into targets of its own, which OIT_STATE_NONE has no state for";
+    if (desc->store == OIT_STORE_FETCH && (desc->fields & OIT_FIELD_COVERAGE))
+        return "OIT_STORE_FETCH does not store coverage";
+    if (desc->store == OIT_STORE_FETCH && oit_i_layout(desc).words > 4)
+        return "OIT_STORE_FETCH has room for 16 bytes a fragment: depth, colour but not OIT_COLOR_FLOAT, and one word more";
     if (desc->budget_bytes < 0 || desc->layers < 0)
         return "budget_bytes or layers is negative";
     if (desc->bucket_depth_bits != 0 && desc->bucket_depth_bits != 16 && desc->bucket_depth_bits != 32)
@@ -3115,16 +3338,16 @@ static void oit_i_restore(const oit_context *oit, const oit_i_snapshot *saved) {
     }
 }
 
-static void oit_i_mask_colors(const oit_context *oit, int first) {
-    unsigned char on = (unsigned char)first;
+static void oit_i_mask_colors(const oit_context *oit, int write) {
+    unsigned char all = write == 2, on = write != 0;
     int i;
     if (!oit->has_indexed) {
-        oit->gl.gl_ColorMask(on, on, on, 0);
+        oit->gl.gl_ColorMask(on, on, on, all);
         return;
     }
     for (i = 0; i < oit->draw_buffers; ++i) {
-        on = (unsigned char)(i == 0 && first);
-        oit->gl.gl_ColorMaski((oit_i_u)i, on, on, on, 0);
+        on = (unsigned char)(all || (i == 0 && write));
+        oit->gl.gl_ColorMaski((oit_i_u)i, on, on, on, all);
     }
 }
 
@@ -3203,13 +3426,6 @@ static void oit_i_define(oit_i_text *text, const char *name, int64_t value) {
     oit_i_put(text, "\n");
 }
 
-/* Where the words of a record lie, in the order in which they are compared; 0: not there. */
-typedef struct oit_i_record {
-    int part, key, color, blend, normal, uv, coverage, host, link, words, lanes;
-    int sorted;         /* words up to colour, blend and coverage, by which runs are sorted and composed: 8 at most */
-    int coverage_shift; /* bits; coverage shares the word of blend where that has one */
-} oit_i_record;
-
 static oit_i_record oit_i_layout(const oit_desc *desc) {
     oit_i_record at;
     int next = 1;
@@ -3245,11 +3461,15 @@ static oit_i_record oit_i_layout(const oit_desc *desc) {
 
 /* Words a pixel that the store has of its own, and those of the tail: shaders/oit_frame_block.glsl. */
 static int oit_i_own_words(const oit_desc *desc) {
-    return desc->store == OIT_STORE_PREDICT || desc->store == OIT_STORE_LINKED;
+    return desc->store == OIT_STORE_FETCH ? 11 : desc->store == OIT_STORE_PREDICT || desc->store == OIT_STORE_LINKED;
 }
 
 static int oit_i_tail_words(const oit_desc *desc) {
-    return oit_i_keeps(desc) ? 6 : desc->fit == OIT_FIT_WAIT ? 0 : desc->store == OIT_STORE_EXACT ? 4 : 6;
+    return oit_i_keeps(desc)                ? 6
+           : desc->fit == OIT_FIT_WAIT      ? 0
+           : desc->store == OIT_STORE_FETCH ? 0
+           : desc->store == OIT_STORE_EXACT ? 4
+                                            : 6;
 }
 
 static int oit_i_key_bits(const oit_desc *desc) {
@@ -3271,6 +3491,8 @@ static void oit_i_write_preamble(const oit_desc *desc, int es, char *at, size_t 
     oit_i_record record = oit_i_layout(desc);
     if (desc->fields & OIT_FIELD_COVERAGE) /* extensions come before all else */
         oit_i_put_extensions(&text, desc, es);
+    if (desc->store == OIT_STORE_FETCH)
+        oit_i_put(&text, "#extension GL_EXT_shader_framebuffer_fetch : require\n");
     if (es)
         oit_i_put(&text, "precision highp float;\nprecision highp int;\n");
     oit_i_define(&text, "OIT_BINDING_PIXELS", desc->first_storage_binding + OIT_I_PIXELS);
@@ -3328,7 +3550,8 @@ static void oit_i_add_preamble(oit_i_source *source, int es, const char *preambl
 }
 
 /* What a host's shader begins with, and the built-in surface programs too. */
-static void oit_i_host_source(oit_i_source *source, oit_stage stage, int fill, int es, const char *preamble) {
+static void oit_i_host_source(oit_i_source *source, oit_stage stage, int fill, const oit_desc *desc, int es,
+                              const char *preamble) {
     oit_i_add_preamble(source, es, preamble);
     oit_i_add(source, fill ? "#define OIT_PASS 1\n" : "#define OIT_PASS 0\n");
     if (stage == OIT_VERTEX) {
@@ -3338,6 +3561,8 @@ static void oit_i_host_source(oit_i_source *source, oit_stage stage, int fill, i
     oit_i_add_chunks(source, oit_i_shader_oit_frame_block_glsl);
     oit_i_add_chunks(source, oit_i_shader_oit_color_glsl);
     oit_i_add_chunks(source, oit_i_shader_oit_tail_glsl);
+    if (desc->store == OIT_STORE_FETCH && fill)
+        oit_i_add_chunks(source, oit_i_shader_oit_fetch_glsl);
     oit_i_add_chunks(source, oit_i_shader_oit_store_glsl);
 }
 
@@ -3434,7 +3659,7 @@ static void oit_i_add_records(oit_i_source *source) {
 }
 
 /* scratch: OIT_I_NETWORK_CAPACITY characters, for text that is made here. */
-static void oit_i_compose_source(oit_i_source *source, int index, int mode, int sampled, char *scratch) {
+static void oit_i_compose_source(oit_i_source *source, int index, int mode, int sampled, int fetch, char *scratch) {
     oit_i_text text = oit_i_text_in(scratch, OIT_I_NETWORK_CAPACITY);
     int tail = index == OIT_I_CLASSES, deep = index == OIT_I_CLASSES - 1;
     size_t network;
@@ -3451,7 +3676,7 @@ static void oit_i_compose_source(oit_i_source *source, int index, int mode, int 
         oit_i_add_records(source);
     oit_i_add_chunks(source, oit_i_shader_oit_behind_glsl);
     if (tail) {
-        oit_i_add_chunks(source, oit_i_shader_oit_tail_frag);
+        oit_i_add_chunks(source, fetch ? oit_i_shader_oit_laid_frag : oit_i_shader_oit_tail_frag);
         return;
     }
     oit_i_add_chunks(source, oit_i_shader_oit_compose_glsl);
@@ -3505,6 +3730,18 @@ static int oit_i_is_surface(int program) {
     return program >= OIT_I_PROGRAM_COUNT && program <= OIT_I_PROGRAM_FILL_LIT;
 }
 
+/* OIT_STORE_FETCH: what reads and changes the layers of its targets. */
+static void oit_i_lay_source(oit_i_source *source, int program) {
+    oit_i_add(source, "#define OIT_SETTLES 1\n#define OIT_CLASS 1\n#define OIT_DEEP 0\n#define OIT_COVERED 0\n");
+    oit_i_add(source, program == OIT_I_PROGRAM_FIRST ? "#define OIT_FIRST 1\n" : "#define OIT_FIRST 0\n");
+    oit_i_add_chunks(source, oit_i_shader_oit_frame_block_glsl);
+    oit_i_add_chunks(source, oit_i_shader_oit_color_glsl);
+    oit_i_add_chunks(source, oit_i_shader_oit_tail_glsl);
+    oit_i_add_chunks(source, oit_i_shader_oit_compose_glsl);
+    oit_i_add_chunks(source, oit_i_shader_oit_fetch_glsl);
+    oit_i_add_chunks(source, oit_i_shader_oit_lay_frag);
+}
+
 /* Picking, and the depth of the composite: records in their order, without networks. */
 static void oit_i_ordered_source(oit_i_source *source, int program, const oit_desc *desc) {
     oit_i_add(source, "#define OIT_CLASS 1\n#define OIT_DEEP 0\n");
@@ -3524,7 +3761,7 @@ static void oit_i_program_source(oit_i_source *source, int program, oit_stage st
     int index = program - (sampled ? OIT_I_PROGRAM_SAMPLED : OIT_I_PROGRAM_COMPOSE);
     if (oit_i_is_surface(program)) {
         int fill = program != OIT_I_PROGRAM_COUNT, lit = program == OIT_I_PROGRAM_FILL_LIT;
-        oit_i_host_source(source, stage, fill, es, preamble);
+        oit_i_host_source(source, stage, fill, desc, es, preamble);
         oit_i_add(source, lit ? "#define OIT_LIT 1\n" : "#define OIT_LIT 0\n");
         oit_i_add(source, lit || (fill && (desc->fields & OIT_FIELD_NORMAL)) ? "#define OIT_WANTS_NORMAL 1\n"
                                                                              : "#define OIT_WANTS_NORMAL 0\n");
@@ -3532,7 +3769,9 @@ static void oit_i_program_source(oit_i_source *source, int program, oit_stage st
         return;
     }
     oit_i_add_preamble(source, es, preamble);
-    if (program == OIT_I_PROGRAM_PICK || (program == OIT_I_PROGRAM_DEPTH && stage == OIT_FRAGMENT)) {
+    if ((program == OIT_I_PROGRAM_FIRST || program == OIT_I_PROGRAM_LAY) && stage == OIT_FRAGMENT) {
+        oit_i_lay_source(source, program);
+    } else if (program == OIT_I_PROGRAM_PICK || (program == OIT_I_PROGRAM_DEPTH && stage == OIT_FRAGMENT)) {
         oit_i_ordered_source(source, program, desc);
     } else if (oit_i_is_compute(program)) {
         oit_i_compute_source(source, program, desc->fit == OIT_FIT_ASYNC);
@@ -3541,7 +3780,8 @@ static void oit_i_program_source(oit_i_source *source, int program, oit_stage st
     } else {
         if (desc->fields & OIT_FIELD_BLEND)
             mode = !es ? OIT_I_MODE_DUAL : index > OIT_I_CLASSES ? OIT_I_MODE_LIGHT : OIT_I_MODE_FILTER;
-        oit_i_compose_source(source, index % (OIT_I_CLASSES + 1), mode, sampled, scratch);
+        oit_i_compose_source(source, index % (OIT_I_CLASSES + 1), mode, sampled, desc->store == OIT_STORE_FETCH,
+                             scratch);
     }
 }
 
@@ -3631,7 +3871,7 @@ static void oit_i_assemble_host_sources(oit_context *oit) {
     int stage, fill;
     for (stage = 0; stage < (int)OIT_STAGE_COUNT; ++stage) {
         for (fill = 0; fill < 2; ++fill) {
-            oit_i_host_source(&source, (oit_stage)stage, fill, oit->info.es, oit->preamble);
+            oit_i_host_source(&source, (oit_stage)stage, fill, &oit->desc, oit->info.es, oit->preamble);
             /* The host's own text counts its lines from 1. */
             oit_i_add(&source, "#line 1\n");
             memcpy(oit->strings[stage][fill], source.strings, (size_t)source.count * sizeof source.strings[0]);
@@ -3676,6 +3916,24 @@ static void oit_i_limit_blocks(oit_context *oit) {
         oit->desc.budget_bytes = most < (int64_t)256 << 20 ? most : (int64_t)256 << 20;
 }
 
+/* OIT_STORE_FETCH: seven layers a pass where there are eight draw buffers, else three; a block of storage is among a fragment
+   shader's outputs too. Fetching that takes barriers is of no use: fragments of one draw meet in a pixel. */
+static oit_result oit_i_find_fetch(oit_context *oit) {
+    oit_i_text text =
+        oit_i_text_in(oit->preamble + strlen(oit->preamble), sizeof oit->preamble - strlen(oit->preamble));
+    oit_i_message message;
+    oit->fetched = 7;
+    if (oit_i_limit(oit, OIT_I_GL_MAX_DRAW_BUFFERS, 8) < 8 || oit->info.combined_outputs < 9)
+        oit->fetched = 3;
+    oit_i_define(&text, "OIT_FETCHED", oit->fetched);
+    if (oit_i_has_extension(&oit->gl, "GL_EXT_shader_framebuffer_fetch") &&
+        oit->info.combined_outputs > oit->fetched + 1)
+        return OIT_OK;
+    oit_i_say(&message, "oit_create",
+              "OIT_STORE_FETCH needs GL_EXT_shader_framebuffer_fetch and five outputs of a shader");
+    return oit_i_refuse(&oit->desc, OIT_NO_FETCH, &message);
+}
+
 static oit_result oit_i_set_up(oit_context *oit) {
     oit_result result;
     oit_i_load(&oit->desc, &oit->gl);
@@ -3694,6 +3952,8 @@ static oit_result oit_i_set_up(oit_context *oit) {
     oit_i_limit_blocks(oit);
     oit->info.fragment_bytes = 4 * oit_i_layout(&oit->desc).words;
     oit_i_write_preamble(&oit->desc, oit->info.es, oit->preamble, sizeof oit->preamble);
+    if (oit->desc.store == OIT_STORE_FETCH && oit_i_find_fetch(oit) != OIT_OK)
+        return OIT_NO_FETCH;
     oit_i_assemble_host_sources(oit);
     return OIT_OK;
 }
@@ -3745,6 +4005,18 @@ static void oit_i_drop_fences(oit_context *oit) {
     }
 }
 
+static void oit_i_drop_fetch(oit_context *oit) {
+    int i;
+    if (oit->fetch_framebuffer)
+        oit->gl.gl_DeleteFramebuffers(1, &oit->fetch_framebuffer);
+    for (i = 0; i < 8; ++i)
+        if (oit->fetch_targets[i])
+            oit->gl.gl_DeleteTextures(1, &oit->fetch_targets[i]);
+    memset(oit->fetch_targets, 0, sizeof oit->fetch_targets);
+    oit->fetch_framebuffer = 0;
+    oit->fetch_width = oit->fetch_height = 0;
+}
+
 static void oit_i_drop_buffers(oit_context *oit) {
     int i;
     oit_i_drop_fences(oit);
@@ -3754,6 +4026,7 @@ static void oit_i_drop_buffers(oit_context *oit) {
         oit->buffers[i] = 0;
         oit->sizes[i] = 0;
     }
+    oit_i_drop_fetch(oit);
     oit->capacity = 0;
     oit->settled_width = 0;
     memset(oit->picks, 0, sizeof oit->picks);
@@ -3781,6 +4054,10 @@ OIT_I_API void oit_destroy(oit_context *oit) {
     oit->desc.free_fn(oit, oit->desc.alloc_user);
 }
 
+static int64_t oit_i_fetch_bytes(const oit_context *oit, int64_t width, int64_t height) {
+    return width * height * (16 * oit->fetched + 8);
+}
+
 OIT_I_API oit_info oit_get_info(const oit_context *oit) {
     oit_info info;
     int i;
@@ -3790,6 +4067,7 @@ OIT_I_API oit_info oit_get_info(const oit_context *oit) {
     info = oit->info;
     for (i = 0; i < OIT_I_BUFFER_COUNT; ++i)
         info.bytes += (uint64_t)oit->sizes[i];
+    info.bytes += (uint64_t)oit_i_fetch_bytes(oit, oit->fetch_width, oit->fetch_height);
     return info;
 }
 
@@ -3939,6 +4217,79 @@ static oit_result oit_i_make_places(oit_context *oit, int64_t pixels) {
     return OIT_OK;
 }
 
+/* OIT_STORE_FETCH: targets as large as the host's up to the corner of the viewport, so that its depth can stand beside them. */
+static oit_result oit_i_make_targets(oit_context *oit, int width, int height) {
+    const oit_i_gl *gl = &oit->gl;
+    oit_i_u buffers[8];
+    int32_t texture = 0;
+    int i;
+    if (oit_i_fetch_bytes(oit, width, height) > oit->desc.ceiling_bytes)
+        return oit_i_fail(&oit->desc, OIT_TOO_LARGE, "oit_begin", "the layers of a pass are over the ceiling");
+    oit_i_drop_fetch(oit);
+    gl->gl_GetIntegerv(OIT_I_GL_TEXTURE_BINDING_2D, &texture);
+    gl->gl_GenFramebuffers(1, &oit->fetch_framebuffer);
+    gl->gl_BindFramebuffer(OIT_I_GL_DRAW_FRAMEBUFFER, oit->fetch_framebuffer);
+    for (i = 0; i <= oit->fetched; ++i) {
+        buffers[i] = OIT_I_GL_COLOR_ATTACHMENT0 + (oit_i_u)i;
+        gl->gl_GenTextures(1, &oit->fetch_targets[i]);
+        gl->gl_BindTexture(OIT_I_GL_TEXTURE_2D, oit->fetch_targets[i]);
+        gl->gl_TexStorage2D(OIT_I_GL_TEXTURE_2D, 1, i < oit->fetched ? OIT_I_GL_RGBA32UI : OIT_I_GL_RG32UI, width,
+                            height);
+        gl->gl_FramebufferTexture2D(OIT_I_GL_DRAW_FRAMEBUFFER, buffers[i], OIT_I_GL_TEXTURE_2D, oit->fetch_targets[i],
+                                    0);
+    }
+    gl->gl_DrawBuffers(oit->fetched + 1, buffers);
+    gl->gl_BindTexture(OIT_I_GL_TEXTURE_2D, (oit_i_u)texture);
+    oit->fetch_width = width;
+    oit->fetch_height = height;
+    return OIT_OK;
+}
+
+/* The depth of the host's framebuffer becomes that of ours, where it has one. It may be another each frame. */
+static oit_result oit_i_share_depth(oit_context *oit) {
+    const oit_i_gl *gl = &oit->gl;
+    oit_i_u where = oit->frame.framebuffer ? OIT_I_GL_DEPTH_ATTACHMENT : OIT_I_GL_DEPTH;
+    int32_t type = 0, name = 0, level = 0;
+    gl->gl_BindFramebuffer(OIT_I_GL_DRAW_FRAMEBUFFER, oit->frame.framebuffer);
+    gl->gl_GetFramebufferAttachmentParameteriv(OIT_I_GL_DRAW_FRAMEBUFFER, where,
+                                               OIT_I_GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, &type);
+    if (type != 0 && where == OIT_I_GL_DEPTH)
+        return oit_i_fail(&oit->desc, OIT_NO_FETCH, "oit_begin",
+                          "OIT_STORE_FETCH cannot share the depth of the default framebuffer; draw into another one");
+    if (type != 0)
+        gl->gl_GetFramebufferAttachmentParameteriv(OIT_I_GL_DRAW_FRAMEBUFFER, where,
+                                                   OIT_I_GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME, &name);
+    if (type == (int32_t)OIT_I_GL_TEXTURE)
+        gl->gl_GetFramebufferAttachmentParameteriv(OIT_I_GL_DRAW_FRAMEBUFFER, where,
+                                                   OIT_I_GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LEVEL, &level);
+    gl->gl_BindFramebuffer(OIT_I_GL_DRAW_FRAMEBUFFER, oit->fetch_framebuffer);
+    if (type == (int32_t)OIT_I_GL_TEXTURE)
+        gl->gl_FramebufferTexture2D(OIT_I_GL_DRAW_FRAMEBUFFER, OIT_I_GL_DEPTH_ATTACHMENT, OIT_I_GL_TEXTURE_2D,
+                                    (oit_i_u)name, level);
+    else
+        gl->gl_FramebufferRenderbuffer(OIT_I_GL_DRAW_FRAMEBUFFER, OIT_I_GL_DEPTH_ATTACHMENT, OIT_I_GL_RENDERBUFFER,
+                                       (oit_i_u)name);
+    return OIT_OK;
+}
+
+static oit_result oit_i_make_fetch(oit_context *oit) {
+    int width = oit->frame.x + oit->frame.width, height = oit->frame.y + oit->frame.height;
+    oit_result result = OIT_OK;
+    if (oit->fetch_width < width || oit->fetch_height < height)
+        result = oit_i_make_targets(oit, width > oit->fetch_width ? width : oit->fetch_width,
+                                    height > oit->fetch_height ? height : oit->fetch_height);
+    if (result == OIT_OK)
+        result = oit_i_share_depth(oit);
+    if (result != OIT_OK)
+        return result;
+    if (oit->gl.gl_CheckFramebufferStatus(OIT_I_GL_DRAW_FRAMEBUFFER) == OIT_I_GL_FRAMEBUFFER_COMPLETE)
+        return OIT_OK;
+    oit_i_drop_fetch(oit);
+    return oit_i_fail(
+        &oit->desc, OIT_OUT_OF_MEMORY, "oit_begin",
+        "no memory for the layers of a pass, or the target's depth is neither a renderbuffer nor a 2D texture");
+}
+
 static oit_result oit_i_make_buffers(oit_context *oit) {
     int64_t pixels = (int64_t)oit->frame.width * oit->rows, bytes = oit_i_pixel_bytes(oit, pixels);
     int i;
@@ -3951,6 +4302,8 @@ static oit_result oit_i_make_buffers(oit_context *oit) {
             return oit_i_fail(&oit->desc, OIT_OUT_OF_MEMORY, "oit_begin", "no memory for the reports");
     if (oit_i_keeps(&oit->desc))
         return oit_i_make_places(oit, pixels);
+    if (oit->desc.store == OIT_STORE_FETCH)
+        return oit_i_make_fetch(oit);
     if (oit->desc.fit == OIT_FIT_WAIT && oit->capacity)
         return OIT_OK;
     if (!oit->capacity)
@@ -4051,6 +4404,9 @@ static oit_result oit_i_check_frame(oit_context *oit, const oit_frame *frame) {
     if (frame->depth == OIT_DEPTH_THRESHOLD && !(oit_i_all_finite(&frame->depth_threshold, 1) &&
                                                  frame->depth_threshold > 0.0f && frame->depth_threshold <= 1.0f))
         return oit_i_fail(&oit->desc, OIT_INVALID_ARGUMENT, "oit_begin", "frame.depth_threshold is not in ]0,1]");
+    if (frame->depth != OIT_DEPTH_NONE && oit->desc.store == OIT_STORE_FETCH)
+        return oit_i_fail(&oit->desc, OIT_INVALID_ARGUMENT, "oit_begin",
+                          "frame.depth: OIT_STORE_FETCH keeps no layers");
     if (frame->width < 0 || frame->height < 0)
         return oit_i_fail(&oit->desc, OIT_INVALID_ARGUMENT, "oit_begin", "frame.width or frame.height is negative");
     if (frame->width > oit->max_viewport[0] || frame->height > oit->max_viewport[1])
@@ -4160,11 +4516,17 @@ static oit_i_block oit_i_make_block(const oit_context *oit) {
     block.pool[2] = oit->capacity;
     block.pool[3] = oit_i_blocks(pixels);
     block.step[0] = oit->slab_y == 0;
-    block.step[3] = (oit_i_u)(oit_i_keeps(&oit->desc) ? oit->layers : oit->list->direct);
+    block.step[3] = (oit_i_u)(oit_i_keeps(&oit->desc)              ? oit->layers
+                              : oit->desc.store == OIT_STORE_FETCH ? (oit->desc.fit == OIT_FIT_ASYNC ? oit->fetches : 0)
+                                                                   : oit->list->direct);
     oit_i_choose_programs(oit, &block);
     oit_i_unit_vector(block.light, frame->light);
     block.light[3] = weight == 0.0f ? 1.0f : weight < 0.0f ? 0.0f : weight > 1.0f ? 1.0f : weight;
     block.output[0] = oit_i_depth_limit(frame);
+    block.part[0] = frame->x + oit->part[0];
+    block.part[1] = frame->y + oit->slab_y + oit->part[1];
+    block.part[2] = oit->part[2];
+    block.part[3] = oit->part[3];
     block.samples[0] = (1u << (oit->samples > 1 ? oit->samples : 1)) - 1u;
     memcpy(block.positions, oit->positions, sizeof block.positions);
     return block;
@@ -4181,6 +4543,11 @@ static int oit_i_compose_draws(const oit_context *oit) {
     return (oit->samples > 1 ? 2 : 1) * oit_i_pixel_draws(oit);
 }
 
+static int oit_i_is_tail(int program) {
+    return program >= OIT_I_PROGRAM_COMPOSE && program < OIT_I_PROGRAM_SAMPLED &&
+           (program - OIT_I_PROGRAM_COMPOSE) % (OIT_I_CLASSES + 1) == OIT_I_CLASSES;
+}
+
 /* Whether the store has passes for that program. */
 static int oit_i_has_program(const oit_desc *desc, int program) {
     int keeps = oit_i_keeps(desc);
@@ -4192,6 +4559,11 @@ static int oit_i_has_program(const oit_desc *desc, int program) {
         return desc->store == OIT_STORE_BUCKETED;
     if (program == OIT_I_PROGRAM_PREDICT || program == OIT_I_PROGRAM_SETTLE)
         return desc->store == OIT_STORE_PREDICT;
+    if (program == OIT_I_PROGRAM_FIRST || program == OIT_I_PROGRAM_LAY)
+        return desc->store == OIT_STORE_FETCH;
+    if (desc->store == OIT_STORE_FETCH && (program == OIT_I_PROGRAM_SPREAD || program == OIT_I_PROGRAM_COUNT ||
+                                           (program >= OIT_I_PROGRAM_COMPOSE && !oit_i_is_tail(program))))
+        return 0;
     return program != OIT_I_PROGRAM_GATHER || desc->store == OIT_STORE_LINKED;
 }
 
@@ -4206,7 +4578,7 @@ static int oit_i_uses_program(const oit_context *oit, int program) {
     if (sampled)
         draw = program - OIT_I_PROGRAM_SAMPLED;
     if (draw >= 0 && draw % (OIT_I_CLASSES + 1) == OIT_I_CLASSES) /* the tail */
-        return (oit->desc.fit == OIT_FIT_ASYNC || keeps) && !sampled;
+        return (oit->desc.fit == OIT_FIT_ASYNC || keeps || oit->desc.store == OIT_STORE_FETCH) && !sampled;
     return draw < oit_i_pixel_draws(oit) && (!sampled || oit->samples > 1);
 }
 
@@ -4264,6 +4636,20 @@ static const oit_i_list oit_i_counted_and_linked = {{OIT_I_STEP_CLEAR, OIT_I_STE
 static const oit_i_list oit_i_linked_again = {
     {OIT_I_STEP_CLEAR, OIT_I_STEP_FILL, OIT_I_STEP_GATHER, OIT_I_STEP_FILLED}, OIT_I_STEP_CLEAR, 2};
 
+/* OIT_STORE_FETCH: the first geometry pass, after which it is known how deep the deepest pixel is; each other one. */
+static const oit_i_list oit_i_fetched = {{OIT_I_STEP_FIRST, OIT_I_STEP_FILL, OIT_I_STEP_LAY, OIT_I_STEP_SUM,
+                                          OIT_I_STEP_TOPS, OIT_I_STEP_CHECK, OIT_I_STEP_FILLED},
+                                         OIT_I_STEP_FIRST,
+                                         0};
+static const oit_i_list oit_i_fetched_again = {
+    {OIT_I_STEP_FILL, OIT_I_STEP_LAY, OIT_I_STEP_FILLED}, OIT_I_STEP_FILL, 0};
+
+/* How many passes it takes to peel so many layers. */
+static int oit_i_fetches(const oit_context *oit, oit_i_u deepest) {
+    oit_i_u each = (oit_i_u)oit->fetched;
+    return deepest > each ? (int)(deepest / each + (deepest % each != 0)) : 1;
+}
+
 /* The slab as one part. */
 static void oit_i_whole_part(oit_context *oit) {
     oit->part[0] = oit->part[1] = 0;
@@ -4297,6 +4683,11 @@ static void oit_i_start_slab(oit_context *oit) {
         oit->list = oit_i_can_predict(oit) ? &oit_i_predicted : &oit_i_counted;
     if (oit->desc.store == OIT_STORE_LINKED)
         oit->list = oit_i_can_link(oit) ? &oit_i_linked : &oit_i_counted_and_linked;
+    if (oit->desc.store == OIT_STORE_FETCH) {
+        oit->list = &oit_i_fetched;
+        oit->fetch = 1;
+        oit->fetches = oit->desc.fit == OIT_FIT_ASYNC ? oit_i_fetches(oit, oit->report.deepest) : 0;
+    }
     oit->settled_width = 0;
     oit->step = (oit_i_step)oit->list->steps[0];
     oit_i_whole_part(oit);
@@ -4318,7 +4709,7 @@ static oit_result oit_i_prepare(oit_context *oit) {
         result = oit_i_fail(&oit->desc, OIT_OUT_OF_MEMORY, "oit_begin", "no vertex array");
     if (result == OIT_OK)
         result = oit_i_make_buffers(oit);
-    if (result == OIT_OK && !oit_i_keeps(&oit->desc) &&
+    if (result == OIT_OK && !oit_i_keeps(&oit->desc) && oit->desc.store != OIT_STORE_FETCH &&
         (oit->desc.fit == OIT_FIT_ASYNC ? news : oit->desc.store != OIT_STORE_EXACT) &&
         oit_i_capacity_is_wrong(oit, oit->places))
         result = oit_i_set_capacity(oit, oit_i_with_quarter(oit->places), "oit_begin");
@@ -4362,6 +4753,7 @@ OIT_I_API oit_result oit_begin(oit_context *oit, const oit_frame *frame) {
             oit->saved_state = 1;
             result = oit_i_check_target(oit);
         }
+        oit_i_whole_part(oit);
         if (result == OIT_OK)
             result = oit_i_prepare(oit);
         if (result != OIT_OK) {
@@ -4429,6 +4821,8 @@ static oit_i_u oit_i_barrier_before(oit_pass_kind kind) {
         return OIT_I_GL_SHADER_STORAGE_BARRIER;
     case OIT_PASS_GATHER:
         return OIT_I_GL_SHADER_STORAGE_BARRIER;
+    case OIT_PASS_LAY:
+        return OIT_I_GL_SHADER_STORAGE_BARRIER;
     case OIT_PASS_KEEP:
         return OIT_I_GL_SHADER_STORAGE_BARRIER;
     case OIT_PASS_ARRANGE:
@@ -4470,6 +4864,8 @@ static int oit_i_program_of(const oit_context *oit, oit_pass_kind kind) {
         return OIT_I_PROGRAM_SETTLE;
     case OIT_PASS_GATHER:
         return OIT_I_PROGRAM_GATHER;
+    case OIT_PASS_LAY:
+        return oit->step == OIT_I_STEP_FIRST ? OIT_I_PROGRAM_FIRST : OIT_I_PROGRAM_LAY;
     case OIT_PASS_KEEP:
         return OIT_I_PROGRAM_KEEP;
     case OIT_PASS_ARRANGE:
@@ -4517,11 +4913,12 @@ static void oit_i_fill_blend(const oit_context *oit, oit_state *state) {
 static void oit_i_fill_pass(const oit_context *oit, oit_pass_kind kind, oit_pass *pass) {
     oit_state *state = &pass->state;
     const int *part = oit->part;
-    int compose = kind == OIT_PASS_COMPOSE, depth = kind == OIT_PASS_DEPTH, i;
+    int compose = kind == OIT_PASS_COMPOSE, depth = kind == OIT_PASS_DEPTH, lay = kind == OIT_PASS_LAY, i;
+    int fetch = lay || (kind == OIT_PASS_FILL && oit->desc.store == OIT_STORE_FETCH);
     memset(pass, 0, sizeof *pass);
     pass->kind = kind;
     pass->name = oit_pass_kind_name(kind);
-    if (!compose || oit->compose_index == 0)
+    if (!compose || !oit->composes) /* once before the first that is drawn */
         pass->barriers = oit_i_barrier_before(kind);
     state->program = oit->programs[oit_i_program_of(oit, kind)];
     for (i = 0; i < 2; ++i)
@@ -4534,13 +4931,13 @@ static void oit_i_fill_pass(const oit_context *oit, oit_pass_kind kind, oit_pass
     state->uniform_binding = oit->desc.uniform_binding;
     state->blend_source = OIT_I_GL_ONE;
     state->depth_func = oit->desc.reversed_z ? OIT_I_GL_GREATER : OIT_I_GL_LESS;
-    if (!oit_i_is_hosts(kind) && !compose && !depth) {
+    if (!oit_i_is_hosts(kind) && !compose && !depth && !lay) {
         if (kind == OIT_PASS_PICK)
             state->storage_buffers[2] = oit->buffers[OIT_I_PICKED + oit->pick];
         oit_i_fill_groups(oit, kind, state);
         return;
     }
-    state->framebuffer = depth ? oit->frame.depth_framebuffer : oit->frame.framebuffer;
+    state->framebuffer = depth ? oit->frame.depth_framebuffer : fetch ? oit->fetch_framebuffer : oit->frame.framebuffer;
     state->viewport[0] = oit->frame.x;
     state->viewport[1] = oit->frame.y;
     state->viewport[2] = oit->frame.width;
@@ -4549,7 +4946,8 @@ static void oit_i_fill_pass(const oit_context *oit, oit_pass_kind kind, oit_pass
     state->scissor[1] = oit->frame.y + oit->slab_y + (kind == OIT_PASS_COUNT ? 0 : part[1]);
     state->scissor[2] = kind == OIT_PASS_COUNT ? oit->frame.width : part[2];
     state->scissor[3] = kind == OIT_PASS_COUNT ? oit->slab_rows : part[3];
-    state->depth_test = !compose;
+    state->depth_test = !compose && !lay;
+    state->color_write = fetch ? 2 : 0;
     if (depth) {
         state->depth_func = OIT_I_GL_ALWAYS;
         state->color_write = oit->frame.depth_to_color != 0;
@@ -4557,7 +4955,7 @@ static void oit_i_fill_pass(const oit_context *oit, oit_pass_kind kind, oit_pass
     }
     if (compose)
         oit_i_fill_blend(oit, state);
-    if (compose || depth) {
+    if (compose || depth || lay) {
         state->vertex_array = oit->vertex_array;
         state->vertex_count = 3;
     }
@@ -4635,6 +5033,8 @@ OIT_I_API oit_result oit_pick_begin(oit_context *oit, int x, int y, int layer) {
     int slot = 0;
     if (!oit)
         return OIT_INVALID_ARGUMENT;
+    if (oit->desc.store == OIT_STORE_FETCH)
+        return oit_i_fail(&oit->desc, OIT_INVALID_ARGUMENT, "oit_pick_begin", "OIT_STORE_FETCH keeps no layers");
     if (layer < 0)
         return oit_i_fail(&oit->desc, OIT_INVALID_ARGUMENT, "oit_pick_begin", "layer is negative");
     while (slot < OIT_MAX_PICKS && oit->picks[slot].state != OIT_I_PICK_FREE)
@@ -4877,8 +5277,10 @@ static oit_result oit_i_check_fit(oit_context *oit) {
     oit->needed = 0; /* the pool is large enough for what it holds */
     if (result != OIT_OK)
         return result;
+    if (oit->desc.store == OIT_STORE_FETCH)
+        oit->fetches = oit_i_fetches(oit, totals[1]);
     oit_i_note_places(oit, totals, 1);
-    if (totals[2] > 0) {
+    if (totals[2] > 0 && oit->desc.store == OIT_STORE_PREDICT) {
         oit->list = &oit_i_refilled;
         oit->step = (oit_i_step)oit->list->steps[0];
     }
@@ -4911,6 +5313,8 @@ static int oit_i_is_whole(const oit_context *oit) {
    is not fall to the next. What is deeper than was known falls to the last, so that a wrong guess costs only time. */
 static int oit_i_is_needed(const oit_context *oit, int draw) {
     int index = draw % (OIT_I_CLASSES + 1), deep = index == OIT_I_CLASSES - 1, wait = oit->desc.fit == OIT_FIT_WAIT;
+    if (oit->desc.store == OIT_STORE_FETCH)
+        return index == OIT_I_CLASSES;
     if (oit_i_keeps(&oit->desc) && deep)
         return (oit_i_u)oit->layers > oit->block.step[1];
     if (oit_i_keeps(&oit->desc) && index == OIT_I_CLASSES)
@@ -4944,6 +5348,7 @@ static void oit_i_skip_steps(oit_context *oit) {
 static void oit_i_start_composing(oit_context *oit) {
     oit->step = OIT_I_STEP_PICK;
     oit->compose_index = 0;
+    oit->composes = 0;
 }
 
 /* After the last draw of a part. */
@@ -4962,10 +5367,10 @@ static oit_result oit_i_after_part(oit_context *oit) {
 /* The pass of the present step. Returns 0 where there is none. */
 static int oit_i_kind_of_step(const oit_context *oit, oit_pass_kind *kind) {
     static const oit_pass_kind kinds[OIT_I_STEP_DONE] = {
-        OIT_PASS_CLEAR,  OIT_PASS_COUNT,   OIT_PASS_SUM,    OIT_PASS_TOPS,    OIT_PASS_SPREAD,
-        OIT_PASS_REPORT, OIT_PASS_PREDICT, OIT_PASS_SETTLE, OIT_PASS_GATHER,  OIT_PASS_REPORT,
-        OIT_PASS_FILL,   OIT_PASS_FILL,    OIT_PASS_PICK,   OIT_PASS_COMPOSE, OIT_PASS_DEPTH,
-        OIT_PASS_DEPTH,  OIT_PASS_REPORT,  OIT_PASS_KEEP,   OIT_PASS_ARRANGE};
+        OIT_PASS_CLEAR,   OIT_PASS_COUNT,  OIT_PASS_SUM,    OIT_PASS_TOPS,    OIT_PASS_SPREAD, OIT_PASS_REPORT,
+        OIT_PASS_PREDICT, OIT_PASS_SETTLE, OIT_PASS_GATHER, OIT_PASS_LAY,     OIT_PASS_LAY,    OIT_PASS_REPORT,
+        OIT_PASS_FILL,    OIT_PASS_FILL,   OIT_PASS_PICK,   OIT_PASS_COMPOSE, OIT_PASS_DEPTH,  OIT_PASS_DEPTH,
+        OIT_PASS_REPORT,  OIT_PASS_KEEP,   OIT_PASS_ARRANGE};
     if (oit->step == OIT_I_STEP_FILLED || oit->step == OIT_I_STEP_DONE)
         return 0;
     *kind = kinds[(int)oit->step];
@@ -4978,6 +5383,15 @@ static int oit_i_has_step(const oit_context *oit, oit_i_step step) {
     return step != OIT_I_STEP_SETTLE || oit_i_is_last_part(oit);
 }
 
+/* OIT_STORE_FETCH: another pass, if there are layers left. */
+static void oit_i_fetch_more(oit_context *oit) {
+    if (oit->desc.store != OIT_STORE_FETCH || oit->fetch >= oit->fetches)
+        return;
+    ++oit->fetch;
+    oit->list = &oit_i_fetched_again;
+    oit->step = (oit_i_step)oit->list->steps[0];
+}
+
 /* After the present step's pass. */
 static void oit_i_advance(oit_context *oit) {
     const unsigned char *at = oit->list->steps;
@@ -4986,6 +5400,7 @@ static void oit_i_advance(oit_context *oit) {
         oit->picks[oit->pick].frame = oit->frame_number;
     } else if (oit->step == OIT_I_STEP_COMPOSE) {
         ++oit->compose_index;
+        oit->composes = 1;
     } else if (oit->step == OIT_I_STEP_DEPTH) {
         oit->step = OIT_I_STEP_COMPOSED;
     } else if (oit->step == OIT_I_STEP_REPORT) {
@@ -5000,6 +5415,8 @@ static void oit_i_advance(oit_context *oit) {
         do
             oit->step = (oit_i_step) * ++at;
         while (!oit_i_has_step(oit, oit->step));
+        if (oit->step == OIT_I_STEP_FILLED)
+            oit_i_fetch_more(oit);
         if (oit->step == OIT_I_STEP_FILLED && !oit_i_is_last_part(oit))
             oit_i_start_composing(oit);
     }
@@ -5034,6 +5451,8 @@ OIT_I_API int oit_next_pass(oit_context *oit, oit_pass *pass) {
             oit->failure = step == OIT_I_STEP_MEASURE ? oit_i_measure(oit) : oit_i_check_fit(oit);
         if ((step == OIT_I_STEP_MEASURE || step == OIT_I_STEP_CHECK) && oit->failure == OIT_OK)
             oit->failure = oit_i_next_part(oit, 0);
+        if (step == OIT_I_STEP_CHECK && oit->failure == OIT_OK)
+            oit_i_fetch_more(oit);
     }
     return 0;
 }

@@ -12,3 +12,16 @@ vec4 oit_unpack_color(uvec4 w)
     return uintBitsToFloat(w);
 #endif
 }
+
+// Word i of a record whose first eight are r and q.
+#define OIT_SORTED_WORD(i) ((i) < 4 ? r[(i) & 3] : q[(i) & 3])
+
+uvec4 oit_color_words(uvec4 r, uvec4 q)
+{
+    uvec4 w = uvec4(OIT_SORTED_WORD(OIT_AT_COLOR), OIT_SORTED_WORD(OIT_AT_COLOR + 1), 0u, 0u);
+#if OIT_COLOR == OIT_COLOR_FLOAT
+    w.z = OIT_SORTED_WORD(OIT_AT_COLOR + 2);
+    w.w = OIT_SORTED_WORD(OIT_AT_COLOR + 3);
+#endif
+    return w;
+}

@@ -54,7 +54,7 @@ void main()
     ivec2 where = ivec2(gl_FragCoord.xy) - oit_area.xy;
     uint p = uint(where.y) * uint(oit_area.z) + uint(where.x);
 #if OIT_HAS_COVERAGE // each sample by itself where they differ, the whole pixel where not
-    if ((oit_pixel[OIT_EDGE(p)] != 0u) != (OIT_COVERED == OIT_BY_SAMPLE))
+    if (OIT_OUTSIDE || (oit_pixel[OIT_EDGE(p)] != 0u) != (OIT_COVERED == OIT_BY_SAMPLE))
         discard;
 #endif
     uint start = oit_pixel[OIT_START(p)], end = oit_pixel[OIT_START(p + 1u)];

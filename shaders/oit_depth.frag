@@ -5,6 +5,10 @@ layout(location = 0) out highp vec4 oit_out;
 
 void main()
 {
+#if OIT_HAS_COVERAGE
+    if (OIT_OUTSIDE)
+        discard;
+#endif
     ivec2 where = ivec2(gl_FragCoord.xy) - oit_area.xy;
     uint base, n, at = OIT_NONE;
     if (!oit_find_run(uint(where.y) * uint(oit_area.z) + uint(where.x), base, n))

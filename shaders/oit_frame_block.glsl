@@ -6,12 +6,13 @@ layout(std140, binding = OIT_UNIFORM_BINDING) uniform oit_frame
     highp uvec4 oit_pool;  // x: pixels of the slab, y: first fragment of the band, z: capacity, w: blocks of the scan
     highp uvec4 oit_step;  // x: 1 with the first slab of a frame, y: what is deeper is left to the program for all depths,
                            // w: k of the stores that keep the k nearest; of others 1 where the fragments are stored before
-                           // they are counted, 2 where they are stored again
+                           // they are counted, 2 where they are stored again; of fetch how many passes there are, if known
     highp uvec4 oit_above; // what is not deeper than this is left to the program before: of up to 8, 16, 32, 64
     highp vec4 oit_light;  // xyz: toward the light, unit length; zero: no shading. w: weight of the background
     highp vec4 oit_output; // x: transmittance below which the depth of the composite is taken
-    highp uvec4 oit_samples;      // x: a bit for each sample of the target
-    highp vec4 oit_positions[4];  // of two samples each, from the middle of the pixel
+    highp ivec4 oit_part;          // x, y of the corner in the target, width and height of what is filled and composed now
+    highp uvec4 oit_samples;       // x: a bit for each sample of the target
+    highp vec4 oit_positions[4];   // of two samples each, from the middle of the pixel
 };
 
 // The pixel buffer: 16 words of totals, then two words a pixel (where its run starts; how many fragments are still to
@@ -45,6 +46,10 @@ layout(std140, binding = OIT_UNIFORM_BINDING) uniform oit_frame
 #define OIT_DIRECT (OIT_KEEPS == 0 && oit_step.w == 1u)
 #define OIT_AGAIN (OIT_KEEPS == 0 && oit_step.w == 2u)
 
+// OIT_STORE_FETCH: eleven words a pixel: the last record that was composed and how many were like it; light and transmittance
+// of what was.
+#define OIT_LAID(p) (OIT_MORE + 11u * (p))
+
 // OIT_STORE_LINKED: one more than the place of the pixel's last record; 0: none.
 #define OIT_HEAD(p) OIT_OWN(p)
 
@@ -69,6 +74,10 @@ layout(std140, binding = OIT_UNIFORM_BINDING) uniform oit_frame
 #define OIT_UNFIT 0x40000000u
 // How many places are left, without that; negative: so many came too much.
 #define OIT_TRUE_LEFT(left) (int(left) - (OIT_ASYNC == 1 && int(left) >= 0x20000000 ? 0x40000000 : 0))
+
+// Mesa 22's software driver lets multisampled fragments pass beyond the scissor box, by one pixel to the left and below.
+#define OIT_OUTSIDE (any(lessThan(ivec2(gl_FragCoord.xy), oit_part.xy)) || \
+                     any(greaterThanEqual(ivec2(gl_FragCoord.xy), oit_part.xy + oit_part.zw)))
 
 // The part of a pixel that some of its samples are.
 #define OIT_SHARE(covered) (float(bitCount(covered)) / float(max(bitCount(oit_samples.x), 1)))

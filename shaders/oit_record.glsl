@@ -35,7 +35,6 @@ uint oit_record_depth(uint at)
 
 // The words by which records are sorted and composed: the first OIT_SORTED of them, depth to colour and blend, in two
 // vectors; zeros after them. What a record carries beyond cannot be seen in the picture.
-#define OIT_SORTED_WORD(i) ((i) < 4 ? r[(i) & 3] : q[(i) & 3])
 void oit_load(uint at, out uvec4 r, out uvec4 q)
 {
     q = uvec4(0u);
@@ -65,16 +64,6 @@ void oit_load(uint at, out uvec4 r, out uvec4 q)
 #if OIT_SORTED < 8
     q.w = 0u;
 #endif
-}
-
-uvec4 oit_color_words(uvec4 r, uvec4 q)
-{
-    uvec4 w = uvec4(OIT_SORTED_WORD(OIT_AT_COLOR), OIT_SORTED_WORD(OIT_AT_COLOR + 1), 0u, 0u);
-#if OIT_COLOR == OIT_COLOR_FLOAT
-    w.z = OIT_SORTED_WORD(OIT_AT_COLOR + 2);
-    w.w = OIT_SORTED_WORD(OIT_AT_COLOR + 3);
-#endif
-    return w;
 }
 
 #if defined(OIT_SETTLES) && OIT_ASYNC

@@ -6,7 +6,7 @@ layout(early_fragment_tests) in;
 #if OIT_HAS_COVERAGE && OIT_POST_DEPTH
 layout(post_depth_coverage) in;
 #endif
-#if OIT_PASS == OIT_FILL
+#if OIT_PASS == OIT_FILL && OIT_STORE != OIT_FETCH
 layout(std430, binding = OIT_BINDING_FRAGMENTS) writeonly buffer oit_fragments { OIT_VECTOR oit_data[]; };
 #endif
 
@@ -213,6 +213,28 @@ void oit_pack(oit_fragment f, out uint w[OIT_VECTORS * OIT_LANES])
 #endif
 }
 
+#if OIT_STORE == OIT_FETCH
+bool oit_before(uvec4 a, uvec4 b)
+{
+    return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z != b.z ? a.z < b.z : a.w < b.w;
+}
+
+// Into the layers of this pass, nearest first; what falls out is for a later pass. What has been composed is passed over:
+// all that comes before the last record that was, and of those like it, which no one can tell apart, as many as were.
+void oit_put(uint p, uvec4 r)
+{
+    uint at = OIT_LAID(p), copies = oit_pixel[at + 4u];
+    uvec4 last = uvec4(oit_pixel[at], oit_pixel[at + 1u], oit_pixel[at + 2u], oit_pixel[at + 3u]);
+    oit_seen.y += 1u;
+    if (copies > 0u && !oit_before(last, r)) {
+        oit_seen.x += r == last ? 1u : 0u;
+        if (r != last || oit_seen.x <= copies)
+            return;
+    }
+#define OIT_EXCHANGE(l) if (oit_before(r, l)) { uvec4 kept = l; l = r; r = kept; }
+    OIT_EACH_LAYER(OIT_EXCHANGE)
+}
+#else
 void oit_write(uint at, uint w[OIT_VECTORS * OIT_LANES])
 {
     for (int i = 0; i < OIT_VECTORS; ++i)
@@ -222,8 +244,9 @@ void oit_write(uint at, uint w[OIT_VECTORS * OIT_LANES])
         oit_data[at + uint(i)] = uvec2(w[2 * i], w[2 * i + 1]);
 #endif
 }
+#endif
 
-#if OIT_ASYNC || OIT_KEEPS
+#if (OIT_ASYNC || OIT_KEEPS) && OIT_STORE != OIT_FETCH
 #if OIT_HAS_COVERAGE
 #define OIT_COVERED_NOW oit_coverage()
 #else
@@ -287,6 +310,8 @@ void oit_store(oit_fragment f)
 {
     uint p = oit_pixel_index();
 #if OIT_HAS_COVERAGE
+    if (OIT_OUTSIDE)
+        return;
     if (oit_coverage() != oit_samples.x)
         oit_pixel[OIT_EDGE(p)] = 1u;
 #endif
@@ -294,6 +319,10 @@ void oit_store(oit_fragment f)
     oit_select(p, oit_key(f));
 #elif OIT_PASS == OIT_COUNT
     atomicAdd(oit_pixel[OIT_WANTED(p)], 1u);
+#elif OIT_STORE == OIT_FETCH
+    uint w[4];
+    oit_pack(f, w);
+    oit_put(p, uvec4(w[0], w[1], w[2], w[3]));
 #else
 #if OIT_KEEPS
     if (oit_key(f) >= oit_pixel[OIT_LIMIT(p)]) {

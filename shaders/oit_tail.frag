@@ -9,6 +9,10 @@ layout(location = 0) out highp vec4 oit_out;
 
 void main()
 {
+#if OIT_HAS_COVERAGE
+    if (OIT_OUTSIDE)
+        discard;
+#endif
     ivec2 where = ivec2(gl_FragCoord.xy) - oit_area.xy;
     uint p = uint(where.y) * uint(oit_area.z) + uint(where.x);
     uint start = oit_pixel[OIT_START(p)], end = oit_pixel[OIT_START(p + 1u)];

@@ -122,6 +122,8 @@ static bool dump_oit(const char *folder, int choice, oit_desc desc, bool es) {
     bool ok = true;
     desc.uniform_binding = 14;
     oit_i_write_preamble(&desc, es, preamble, sizeof preamble);
+    if (desc.store == OIT_STORE_FETCH) /* which oit_create finds out */
+        strcat(preamble, "#define OIT_FETCHED 7\n");
     for (int program = 0; program < OIT_I_PROGRAMS; ++program)
         for (int stage = 0; stage < (oit_i_is_compute(program) ? 1 : 2); ++stage) {
             if (!oit_i_has_program(&desc, program))
@@ -135,7 +137,7 @@ static bool dump_oit(const char *folder, int choice, oit_desc desc, bool es) {
     for (int fill = 0; fill < 2; ++fill) {
         oit_i_source source;
         char name[64];
-        oit_i_host_source(&source, OIT_FRAGMENT, fill, es, preamble);
+        oit_i_host_source(&source, OIT_FRAGMENT, fill, &desc, es, preamble);
         snprintf(name, sizeof name, "oit_host_%d_%d%s", fill, choice, es ? "_310es" : "_430");
         ok = ok && dump_oit_stage(folder, name, "frag", &source, "void main()\n{\n    oit_store(vec4(0.5));\n}\n");
     }
@@ -152,6 +154,7 @@ static bool dump_all_oit(const char *folder) {
         {.store = OIT_STORE_PREDICT, .fit = OIT_FIT_ASYNC, .fields = OIT_FIELD_ALL, .premultiplied = 1},
         {.store = OIT_STORE_PREDICT, .fit = OIT_FIT_ASYNC, .color = OIT_COLOR_FLOAT, .host_words = 1},
         {.store = OIT_STORE_LINKED},
+        {.store = OIT_STORE_FETCH, .fields = OIT_FIELD_BLEND},
         {.store = OIT_STORE_LINKED, .fit = OIT_FIT_ASYNC, .fields = OIT_FIELD_ALL, .host_words = 2},
         {.store = OIT_STORE_BUDGET, .reversed_z = 1},
         {.store = OIT_STORE_BUDGET, .fit = OIT_FIT_ASYNC, .fields = OIT_FIELD_ALL, .premultiplied = 1},
