@@ -1265,9 +1265,9 @@ static const char *const shaders_i_shader_oit_frame_block_glsl[] = {
     "#define OIT_WANTED(p) OIT_LEFT(p)\n"
     "#endif\n"
     "#define OIT_NONE 0xffffffffu\n"
-    "\n"
-    "// With OIT_HAS_COVERAGE one word a pixel follows: 1 where a fragment covers not all of its samples.\n",
+    "\n",
     "#line 66\n"
+    "// With OIT_HAS_COVERAGE one word a pixel follows: 1 where a fragment covers not all of its samples.\n"
     "#define OIT_EDGE(p) (OIT_TAIL(oit_pool.x * uint(OIT_ASYNC)) + (p))\n"
     "\n"
     "// With what is to come of a pixel whose run does not fit. A pixel has less than 2^30 fragments.\n"
@@ -2222,7 +2222,7 @@ static const char *const shaders_i_shader_oit_store_glsl[] = {
     "    // 0, and then wraps to more than any pool holds.\n"
     "    uint w[OIT_VECTORS * OIT_LANES];\n"
     "    oit_pack(f, w);\n",
-    "#line 358\n"
+    "#line 360\n"
     "    uint slot = oit_pixel[OIT_START(p)] + left - 1u - oit_pool.y;\n"
     "    if (left - 1u >= oit_pool.z || slot >= oit_pool.z) {\n"
     "#if OIT_STORE != OIT_PREDICT\n"
