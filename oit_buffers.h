@@ -111,7 +111,7 @@
 
    STORES, desc.store
    They differ in geometry passes, memory and what happens when there is too much; the layers of a pixel come in the
-   same order in all. What fits looks the same, to the bit, with OIT_STORE_EXACT, OIT_STORE_PREDICT and OIT_STORE_LINKED.
+   same order in all. What fits looks the same, to the bit, with OIT_STORE_EXACT, OIT_STORE_PREDICT, OIT_STORE_LINKED and OIT_STORE_FETCH.
    - OIT_STORE_EXACT    two geometry passes: counted, then filled
    - OIT_STORE_PREDICT  one, into runs as long as the pixel or one of its eight neighbours needed in the frame before, and
                         desc.headroom. What the guess does not hold is filled again with OIT_FIT_WAIT (two passes more), and
@@ -125,6 +125,13 @@
                         frame, because which records found place depends on the order in which they came. Where the report
                         of a frame before says that not all will fit, the frame is counted first, and only the pixels that
                         do not fit are lost. 12 bytes a pixel (36 with OIT_FIT_ASYNC)
+   - OIT_STORE_FETCH    seven layers a geometry pass (three where there are less than eight draw buffers) in attachments, by
+                        GL_EXT_shader_framebuffer_fetch; as many passes as the deepest pixel needs: known by one read-back
+                        after the first, or with OIT_FIT_ASYNC from the last report, and then layers beyond those are left
+                        out, farthest first, and counted as lost. No fragment is stored: 52 bytes a pixel and 120 a pixel of
+                        targets, however many layers; no picking and no depth of the composite. 16 bytes a fragment at most
+                        (OIT_COLOR_8 or OIT_COLOR_HALF and one word more), no coverage, not with OIT_STATE_NONE. The
+                        target's depth must be a renderbuffer or a 2D texture, not that of the default framebuffer
 
    RECIPES
    - Your own shaders: prepend the strings of oit_glsl() to a vertex and a fragment shader (which then begins without
@@ -238,7 +245,7 @@ typedef enum oit_store_kind {
     OIT_STORE_BUDGET,
     OIT_STORE_LINKED,   /* one geometry pass into lists, as published, each copied into a run */
     OIT_STORE_BUCKETED, /* as BUDGET; and the fragments of each pixel grouped by OIT_FIELD_PART, for neighbours */
-    OIT_STORE_FETCH
+    OIT_STORE_FETCH     /* seven layers a geometry pass by framebuffer fetch; see STORES */
 } oit_store_kind;
 
 /* How a fragment's colour is kept. Bytes are those of a fragment with nothing else chosen; sizes go in steps of 8. */
@@ -4906,6 +4913,8 @@ OIT_I_API oit_result oit_begin(oit_context *oit, const oit_frame *frame) {
      depth    pixels, fragments           read        fill
      predict  pixels: own words, counts read; starts, totals, tail written    settle and report of the frame before
      settle   pixels: starts, counts read; own words, totals, tail written; fragments read    fill
+     lay      pixels: laid words both, counts and totals written    fill; lay of the pass before. Layers lie in attachments,
+              which the extension keeps in order
      gather   pixels: starts, own words read, counts and tail written; list read; fragments written    spread, fill, and
               compose of the frame or band before
    With OIT_STORE_LINKED fill writes the list in the place of the fragments, and clear what gather of the band before has
