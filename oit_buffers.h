@@ -8,6 +8,9 @@
    - loses nothing: with OIT_FIT_WAIT the buffer is made to fit, and over its ceiling the picture is drawn in bands. With
      OIT_FIT_ASYNC it never waits for the GPU: pixels that do not fit for a frame are composed from sums that do not
      depend on the order either, are counted, and fit in the frames after
+   - or, with OIT_STORE_BUDGET, takes no more memory than it is given and never waits: the k nearest fragments of each
+     pixel, chosen by set and not by arrival, and sums of the others behind them; what was lost is counted.
+     OIT_STORE_BUCKETED also groups them by part (Murray, Baril, Granier 2016)
    - blends by fragment: over, additive, multiply; with each fragment's own alpha, or so that all layers of a pixel hide
      together what one would, however many they are
    - draws into multisampled targets: order by pixel, coverage and the host's opaque depth by sample
@@ -17,7 +20,6 @@
 
    DOES NOT
    - create a context, or run where there are no compute shaders: macOS and WebGL 2 stay with transparency.h
-   - keep the k nearest fragments only, or fill in one geometry pass: version 0.2 has the exact store, two geometry passes
    - find neighbours along surfaces
 
    QUICK START, given a current context and its getter of function pointers
@@ -103,8 +105,25 @@
    Every function that can fail returns an oit_result and logs through desc.log_fn. Where something fails between oit_begin
    and oit_end, oit_next_pass returns 0 and oit_compose and oit_end return the reason; oit_end restores the state even so,
    and the next frame may be tried. One heap block a context, and one more for the time that a shader is made. On the GPU:
-   8 bytes a pixel (24 with OIT_FIT_ASYNC; 4 more with OIT_FIELD_COVERAGE), and oit_get_info().fragment_bytes a fragment, a quarter more of them than the
-   last frame needed. One context of ours for one GL context, used from the thread that has it current.
+   8 bytes a pixel (24 with OIT_FIT_ASYNC; 4 more with OIT_FIELD_COVERAGE), and oit_get_info().fragment_bytes a fragment, a quarter
+   more of them than the last frame needed. With OIT_STORE_BUDGET and OIT_STORE_BUCKETED 40 bytes a pixel and desc.budget_bytes. One context of ours for one GL context, used from the thread that has it current.
+
+   STORES, desc.store
+   They differ in geometry passes, memory and what happens when there is too much; the layers of a pixel come in the
+   same order in all. What fits looks the same, to the bit, with OIT_STORE_EXACT, OIT_STORE_PREDICT and OIT_STORE_LINKED.
+   - OIT_STORE_EXACT    two geometry passes: counted, then filled
+   - OIT_STORE_PREDICT  one, into runs as long as the pixel or one of its eight neighbours needed in the frame before, and
+                        desc.headroom. What the guess does not hold is filled again with OIT_FIT_WAIT (two passes more), and
+                        with OIT_FIT_ASYNC composed from the tail, alone the pixels that it concerns. The first frame, a new
+                        size and oit_frame.cut are counted first. Where an image takes several slabs, or runs of guessed
+                        lengths do not fit below the ceiling and nothing may be lost, every frame is.
+                        12 bytes a pixel (36 with OIT_FIT_ASYNC)
+   - OIT_STORE_LINKED   one, into a list a pixel, as published (Carnecky 2013, 4.1 to 4.3), each then copied into a run: two
+                        records for each fragment, and all fragments share one counter. A list that is too small is filled
+                        again with OIT_FIT_WAIT; with OIT_FIT_ASYNC the whole picture is composed from the tail for that
+                        frame, because which records found place depends on the order in which they came. Where the report
+                        of a frame before says that not all will fit, the frame is counted first, and only the pixels that
+                        do not fit are lost. 12 bytes a pixel (36 with OIT_FIT_ASYNC)
 
    RECIPES
    - Your own shaders: prepend the strings of oit_glsl() to a vertex and a fragment shader (which then begins without
@@ -121,6 +140,8 @@
    - Fog, depth of field, temporal anti-aliasing after glass: frame.depth = OIT_DEPTH_MEDIAN, and frame.depth_framebuffer
      the target itself, or a framebuffer with a copy of the opaque depth.
    - Surfaces with many layers that must not turn into a wall: desc.alpha_law = OIT_ALPHA_ADAPTIVE.
+   - A fixed price whatever is drawn: OIT_STORE_BUDGET; desc.layers bounds k where the budget would give more. With
+     OIT_STORE_BUCKETED and 16 bits of depth the count pass chooses by part as well: set fragment.part there too.
 
    MULTISAMPLED TARGETS
    With OIT_FIELD_COVERAGE, of 2 to OIT_MAX_SAMPLES samples. A fragment is stored once a pixel with the samples that it
@@ -139,6 +160,8 @@
    - Colours: see oit_color. Into a target of 8 bits the picture is within 1/255 of the exact one, into one of floats
      within 10^-5 with OIT_COLOR_FLOAT. Infinities and NaN in a colour become 0, alpha is cut to [0,1].
    - The tail takes colours up to 4, takes all layers of a pixel as evenly mixed, and is exact where they have one colour.
+   - Of the k nearest: where fragments tie for the last places of a pixel, those of that depth go to the tail together, be
+     their parts and keys what they may. A tail holds 65,535 fragments, to 2^-26 of optical depth each; k is at most 1,024.
    - Mesa's software driver ends a shader's loops after 65,535 rounds: pixels of more than about 1,400 fragments lose some
      there.
    - Image size: what GL_MAX_VIEWPORT_DIMS and storage blocks of one row allow. A viewport of no area is no error.
@@ -178,7 +201,8 @@ extern "C" {
     X(OIT_TOO_LARGE, "the viewport is larger than the context's buffers or viewports can be")                          \
     X(OIT_PIXEL_TOO_DEEP, "one pixel alone has more fragments than the ceiling holds")                                 \
     X(OIT_WRONG_ORDER, "a function of a frame was called outside of it, or before its passes were done")               \
-    X(OIT_NOT_READY, "the GPU has not come as far yet; ask again")
+    X(OIT_NOT_READY, "the GPU has not come as far yet; ask again")                                                     \
+    X(OIT_NO_FETCH, "the context has no EXT_shader_framebuffer_fetch, or the target's depth cannot be shared with it")
 
 typedef enum oit_result {
 #define OIT_I_ENUM(name, text) name,
@@ -206,11 +230,13 @@ typedef enum oit_fit {
 
 /* How fragments come to lie in the pool. All compose the same layers in the same order. */
 typedef enum oit_store_kind {
-    OIT_STORE_EXACT, /* counted, then filled: two geometry passes, runs that fit exactly */
-    OIT_STORE_PREDICT,
+    OIT_STORE_EXACT,   /* counted, then filled: two geometry passes, runs that fit exactly */
+    OIT_STORE_PREDICT, /* one geometry pass: runs as long as the frame before suggests */
+    /* Two geometry passes: the first finds the depth up to which k fragments of a pixel fit in budget_bytes, the second
+       stores those before it and sums up the others. No read-back between them and no growth, whatever the fit. */
     OIT_STORE_BUDGET,
-    OIT_STORE_LINKED,
-    OIT_STORE_BUCKETED,
+    OIT_STORE_LINKED,   /* one geometry pass into lists, as published, each copied into a run */
+    OIT_STORE_BUCKETED, /* as BUDGET; and the fragments of each pixel grouped by OIT_FIELD_PART, for neighbours */
     OIT_STORE_FETCH
 } oit_store_kind;
 
@@ -264,11 +290,17 @@ typedef struct oit_desc {
     int first_storage_binding; /* three shader storage binding points from here on are ours */
     int uniform_binding;       /* uniform buffer binding point that is ours; 0: 14 */
     oit_store_kind store;
-    int64_t budget_bytes;  /* BUDGET, BUCKETED: for the fragments of the image; 0: 256 MiB */
+    /* BUDGET, BUCKETED: for the fragments of the image; 0: 256 MiB, or what a storage block holds. A fragment takes 4 bytes
+       more than fragment_bytes, with BUCKETED 12 more; k is what that gives for each pixel, at most 1,024. What a block does
+       not hold is drawn in slabs. */
+    int64_t budget_bytes;
     int layers;            /* BUDGET, BUCKETED: keep no more of a pixel; 0: as many as the budget has room for */
-    int bucket_depth_bits; /* BUCKETED: choose the nearest by so many bits of the depth, 16 or 32; 0: 32 */
+    int bucket_depth_bits; /* BUCKETED: choose the nearest by so many bits of the depth, 16 (then by part, as published) or 32;
+                              0: 32. They are composed by all bits in either case */
     int sample_order; /* 1, with OIT_FIELD_COVERAGE: each sample is a fragment of its own; see MULTISAMPLED TARGETS */
-    oit_alpha_law alpha_law; /* ADAPTIVE knows all of a pixel's fragments, so not with BUDGET, BUCKETED */
+    int headroom; /* OIT_STORE_PREDICT: places that a pixel gets beyond those that it or a neighbour needed in the frame
+                     before, in sixteenths, rounded up; at most 64; 0: default 2; negative: none */
+    oit_alpha_law alpha_law; /* ADAPTIVE counts layers: with EXACT, and with PREDICT or LINKED where they wait */
 } oit_desc;
 
 typedef struct oit_info {
@@ -289,11 +321,11 @@ typedef struct oit_report {
     uint64_t frame;       /* 1 is the first oit_begin; 0: none is finished yet */
     uint32_t needed;      /* fragments of the image (of its largest slab, where it needs several) */
     uint32_t deepest;     /* fragments of the deepest pixel */
-    uint32_t lost_pixels; /* composed from the tail */
-    uint32_t lost;        /* fragments of those */
+    uint32_t lost_pixels; /* composed from the tail; BUDGET, BUCKETED: that have a tail behind what is kept */
+    uint32_t lost;        /* fragments of those; BUDGET, BUCKETED: that are in the tail */
     uint32_t extra;       /* fragments that the fill pass met and the count pass had not: not stored */
     uint32_t capacity;    /* fragments that the pool held in that frame */
-    uint32_t bands;       /* fill passes */
+    uint32_t bands;       /* fill passes; with PREDICT and LINKED also where a frame was filled again */
     uint32_t layers;      /* BUDGET, BUCKETED: k, the most that was kept of a pixel */
 } oit_report;
 
@@ -321,6 +353,7 @@ typedef struct oit_frame {
     float depth_threshold;      /* OIT_DEPTH_THRESHOLD: in ]0,1] */
     uint32_t depth_framebuffer; /* takes the depth, at the same viewport; see oit_depth */
     int depth_to_color;         /* 1: in its first draw buffer instead, which is of floats (R32F) */
+    int cut; /* 1: the picture has nothing to do with the one before; OIT_STORE_PREDICT counts first */
 } oit_frame;
 
 typedef enum oit_pass_kind {
@@ -336,6 +369,10 @@ typedef enum oit_pass_kind {
     OIT_PASS_ARRANGE, /* BUCKETED: its fragments by part */
     OIT_PASS_PICK,    /* where oit_pick_begin has asked for it */
     OIT_PASS_DEPTH,   /* with oit_frame.depth */
+    OIT_PASS_PREDICT, /* PREDICT: how long runs shall be */
+    OIT_PASS_SETTLE,  /* PREDICT: how many fragments came, and where they were too many */
+    OIT_PASS_GATHER,  /* LINKED: lists copied into runs */
+    OIT_PASS_LAY,     /* FETCH: the layers of a pass behind those before */
     OIT_PASS_KIND_COUNT
 } oit_pass_kind;
 
@@ -478,54 +515,57 @@ static const char *const oit_i_shader_oit_arrange_comp[] = {
     "// ordered, not the records, which stay where they are.\n"
     "layout(local_size_x = 128) in;\n"
     "\n"
-    "// By part, then as composed.\n"
-    "bool oit_comes_after(uint a, uint b)\n"
+    "// One more fragment of that part. Its slot is part mod k, or the next that is free: there are k, and no more parts. Of two\n"
+    "// parts that meet the smaller takes the slot and the other moves on; so the table is the one that the paper gets from parts\n"
+    "// in ascending order, in whatever order they come.\n"
+    "void oit_count_part(uint p, uint part)\n"
     "{\n"
-    "    uint x = OIT_WORD(a, OIT_AT_PART), y = OIT_WORD(b, OIT_AT_PART);\n"
-    "    return x != y ? x > y : oit_after(a, b);\n"
-    "}\n"
-    "\n"
-    "uint oit_record_at(uint p, uint i)\n"
-    "{\n"
-    "    return oit_bucket_record(p, i) * uint(OIT_VECTORS);\n"
-    "}\n"
-    "\n"
-    "// By insertion: few, and often nearly in order.\n"
-    "void oit_reorder(uint p, uint start, uint count)\n"
-    "{\n"
-    "    for (uint i = 0u; i < count; ++i) {\n"
-    "        uint place = start + i, to = i;\n"
-    "        for (; to > 0u && oit_comes_after(oit_record_at(p, to - 1u), place * uint(OIT_VECTORS)); --to)\n"
-    "            oit_pixel[OIT_KEY(p, to)] = oit_pixel[OIT_KEY(p, to - 1u)];\n"
-    "        oit_pixel[OIT_KEY(p, to)] = place;\n"
+    "    uint count = 1u, slot = part % OIT_LAYERS;\n"
+    "    for (uint i = 0u; i < OIT_LAYERS; ++i) {\n"
+    "        uint at = OIT_BUCKET(p, slot), there = oit_pixel[at], others = oit_pixel[at + 1u];\n"
+    "        if (others > 0u && there == part) {\n"
+    "            oit_pixel[at + 1u] = others + 1u;\n"
+    "            return;\n"
+    "        }\n"
+    "        if (others == 0u || part < there) {\n"
+    "            oit_pixel[at] = part;\n"
+    "            oit_pixel[at + 1u] = count;\n"
+    "            if (others == 0u)\n"
+    "                return;\n"
+    "            part = there;\n"
+    "            count = others;\n"
+    "        }\n"
+    "        slot = slot + 1u < OIT_LAYERS ? slot + 1u : 0u;\n"
     "    }\n"
     "}\n"
     "\n"
-    "// The slot of a part is part mod k, or the next that is free. One is: there are k, and at most k parts.\n"
-    "void oit_insert_bucket(uint p, uint part, uint first, uint count)\n"
+    "// Into its bucket, behind the fragments that are composed before it.\n"
+    "void oit_place(uint p, uint place)\n"
     "{\n"
-    "    uint slot = part % OIT_LAYERS;\n"
-    "    while (oit_pixel[OIT_BUCKET(p, slot) + 1u] != 0u)\n"
-    "        slot = slot + 1u < OIT_LAYERS ? slot + 1u : 0u;\n"
-    "    oit_pixel[OIT_BUCKET(p, slot)] = part;\n"
-    "    oit_pixel[OIT_BUCKET(p, slot) + 1u] = first | count << 16u;\n"
+    "    uint part = OIT_WORD(place * uint(OIT_VECTORS), OIT_AT_PART), first, count;\n"
+    "    uint at = oit_find_bucket(p, part, first, count), to = first + count;\n"
+    "    for (; to > first && oit_after(oit_bucket_record(p, to - 1u) * uint(OIT_VECTORS), place * uint(OIT_VECTORS)); --to)\n"
+    "        oit_pixel[OIT_KEY(p, to)] = oit_bucket_record(p, to - 1u);\n"
+    "    oit_pixel[OIT_KEY(p, to)] = place;\n"
+    "    oit_pixel[at] += 1u << 16u;\n"
     "}\n"
     "\n"
     "void oit_arrange(uint p)\n"
     "{\n"
     "    uint end = oit_pixel[OIT_START(p + 1u)];\n"
     "    uint start = oit_pixel[OIT_START(p)] + uint(max(int(oit_pixel[OIT_LEFT(p)]), 0));\n"
-    "    uint count = end - start, first = 0u;\n"
-    "    oit_reorder(p, start, count);\n"
     "    for (uint slot = 0u; slot < OIT_LAYERS; ++slot)\n"
     "        oit_pixel[OIT_BUCKET(p, slot) + 1u] = 0u;\n"
-    "    for (uint i = 1u; i <= count; ++i) {\n"
-    "        uint part = OIT_WORD(oit_record_at(p, first), OIT_AT_PART);\n"
-    "        if (i < count && OIT_WORD(oit_record_at(p, i), OIT_AT_PART) == part)\n"
-    "            continue;\n"
-    "        oit_insert_bucket(p, part, first, i - first);\n"
-    "        first = i;\n"
+    "    for (uint place = start; place < end; ++place)\n"
+    "        oit_count_part(p, OIT_WORD(place * uint(OIT_VECTORS), OIT_AT_PART));\n"
+    "    uint first = 0u;\n"
+    "    for (uint slot = 0u; slot < OIT_LAYERS; ++slot) {\n"
+    "        uint at = OIT_BUCKET(p, slot) + 1u, count = oit_pixel[at];\n"
+    "        oit_pixel[at] = count > 0u ? OIT_BUCKET_USED | first : 0u;\n"
+    "        first += count;\n"
     "    }\n"
+    "    for (uint place = start; place < end; ++place)\n"
+    "        oit_place(p, place);\n"
     "}\n"
     "\n"
     "void main()\n"
@@ -545,7 +585,7 @@ static const char *const oit_i_shader_oit_behind_glsl[] = {
     "layout(std430, binding = OIT_BINDING_PIXELS) readonly buffer oit_pixels { uint oit_pixel[]; };\n"
     "#endif\n"
     "\n"
-    "#if OIT_KEEPS\n"
+    "#if OIT_TAIL_WORDS == 6\n"
     "vec4 oit_tail_sums(uint p)\n"
     "{\n"
     "    uint at = OIT_TAIL(p);\n"
@@ -575,29 +615,31 @@ static const char *const oit_i_shader_oit_buckets_glsl[] = {
     "// For: oit_buffers.h\n"
     "// What the bucketed store keeps beside the runs, for those who look for fragments of one part. After the blocks of\n"
     "// oit_record.glsl. Records of a bucket are numbered from `first` on and ordered as they are composed.\n"
+    "#define OIT_BUCKET_USED 0x80000000u\n"
     "\n"
-    "// Place of the i-th record of the pixel, by part and depth; OIT_VECTORS vectors each.\n"
+    "// Place of the i-th record of the pixel, by bucket and depth; OIT_VECTORS vectors each.\n"
     "uint oit_bucket_record(uint p, uint i)\n"
     "{\n"
     "    return oit_pixel[OIT_KEY(p, i)];\n"
     "}\n"
     "\n"
-    "// Where the records of a part lie in the order of oit_bucket_record; false: the pixel has none.\n"
-    "bool oit_find_bucket(uint p, uint part, out uint first, out uint count)\n"
+    "// Which records a part has, in the order of oit_bucket_record. Returns where its bucket says so; 0: the pixel has none.\n"
+    "uint oit_find_bucket(uint p, uint part, out uint first, out uint count)\n"
     "{\n"
+    "    uint slot = OIT_LAYERS > 0u ? part % OIT_LAYERS : 0u;\n"
     "    first = count = 0u;\n"
-    "    for (uint i = 0u, slot = part % OIT_LAYERS; i < OIT_LAYERS; ++i) {\n"
-    "        uint range = oit_pixel[OIT_BUCKET(p, slot) + 1u];\n"
+    "    for (uint i = 0u; i < OIT_LAYERS; ++i) {\n"
+    "        uint at = OIT_BUCKET(p, slot), range = oit_pixel[at + 1u];\n"
     "        if (range == 0u)\n"
-    "            return false;\n"
-    "        if (oit_pixel[OIT_BUCKET(p, slot)] == part) {\n"
+    "            break;\n"
+    "        if (oit_pixel[at] == part) {\n"
     "            first = range & 0xffffu;\n"
-    "            count = range >> 16u;\n"
-    "            return true;\n"
+    "            count = range >> 16u & 0x7fffu;\n"
+    "            return at + 1u;\n"
     "        }\n"
     "        slot = slot + 1u < OIT_LAYERS ? slot + 1u : 0u;\n"
     "    }\n"
-    "    return false;\n"
+    "    return 0u;\n"
     "}\n",
     0};
 static const char *const oit_i_shader_oit_clear_comp[] = {
@@ -614,12 +656,21 @@ static const char *const oit_i_shader_oit_clear_comp[] = {
     "    uint first = block * OIT_BLOCK + gl_LocalInvocationID.x;\n"
     "    for (uint i = 0u; i < 8u; ++i) {\n"
     "        uint p = first + 128u * i;\n"
-    "        if (p < oit_pool.x) {\n"
-    "            oit_pixel[OIT_LEFT(p)] = 0u;\n"
-    "#if OIT_HAS_COVERAGE\n"
-    "            oit_pixel[OIT_EDGE(p)] = 0u;\n"
+    "        if (p >= oit_pool.x)\n"
+    "            continue;\n"
+    "#if OIT_STORE == OIT_LINKED\n"
+    "        oit_pixel[OIT_HEAD(p)] = 0u;\n"
+    "        if (OIT_AGAIN)\n"
+    "            continue;\n"
     "#endif\n"
-    "        }\n"
+    "        oit_pixel[OIT_WANTED(p)] = 0u;\n"
+    "#if OIT_HAS_COVERAGE\n"
+    "        oit_pixel[OIT_EDGE(p)] = 0u;\n"
+    "#endif\n"
+    "#if OIT_TAIL_WORDS == 6\n"
+    "        for (uint c = 0u; c < 6u; ++c)\n"
+    "            oit_pixel[OIT_TAIL(p) + c] = 0u;\n"
+    "#endif\n"
     "    }\n"
     "#if OIT_KEEPS\n"
     "    uint each = OIT_LAYERS + 1u, end = min((block + 1u) * OIT_BLOCK, oit_pool.x) * each;\n"
@@ -630,12 +681,46 @@ static const char *const oit_i_shader_oit_clear_comp[] = {
     "        if (p >= oit_pool.x)\n"
     "            break;\n"
     "        oit_pixel[OIT_LIMIT(p)] = OIT_NONE;\n"
-    "        for (uint c = 0u; c < 6u; ++c)\n"
-    "            oit_pixel[OIT_TAIL(p) + c] = 0u;\n"
     "    }\n"
+    "#endif\n"
+    "#if OIT_STORE == OIT_LINKED\n"
+    "    if (first == OIT_TAKEN)\n"
+    "        oit_pixel[first] = 0u;\n"
+    "    if (OIT_AGAIN)\n"
+    "        return;\n"
     "#endif\n"
     "    if (oit_step.x != 0u && first < OIT_HEADER)\n"
     "        oit_pixel[first] = 0u;\n"
+    "}\n",
+    0};
+static const char *const oit_i_shader_oit_color_glsl[] = {
+    "#line 1\n"
+    "// For: oit_buffers.h\n"
+    "// Colour and coverage of a record, from the words that hold them.\n"
+    "#define OIT_COVERAGE_OF(word) ((word) >> uint(OIT_COVERAGE_SHIFT))\n"
+    "\n"
+    "vec4 oit_unpack_color(uvec4 w)\n"
+    "{\n"
+    "#if OIT_COLOR == OIT_COLOR_8\n"
+    "    return vec4(vec3(uvec3(w.x, w.x >> 10u, w.x >> 20u) & 1023u) * (1.0 / 1023.0), uintBitsToFloat(w.y));\n"
+    "#elif OIT_COLOR == OIT_COLOR_HALF\n"
+    "    return vec4(unpackHalf2x16(w.x), unpackHalf2x16(w.y));\n"
+    "#else\n"
+    "    return uintBitsToFloat(w);\n"
+    "#endif\n"
+    "}\n"
+    "\n"
+    "// Word i of a record whose first eight are r and q.\n"
+    "#define OIT_SORTED_WORD(i) ((i) < 4 ? r[(i) & 3] : q[(i) & 3])\n"
+    "\n"
+    "uvec4 oit_color_words(uvec4 r, uvec4 q)\n"
+    "{\n"
+    "    uvec4 w = uvec4(OIT_SORTED_WORD(OIT_AT_COLOR), OIT_SORTED_WORD(OIT_AT_COLOR + 1), 0u, 0u);\n"
+    "#if OIT_COLOR == OIT_COLOR_FLOAT\n"
+    "    w.z = OIT_SORTED_WORD(OIT_AT_COLOR + 2);\n"
+    "    w.w = OIT_SORTED_WORD(OIT_AT_COLOR + 3);\n"
+    "#endif\n"
+    "    return w;\n"
     "}\n",
     0};
 static const char *const oit_i_shader_oit_compose_frag[] = {
@@ -702,6 +787,10 @@ static const char *const oit_i_shader_oit_compose_frag[] = {
     "    uint start = oit_pixel[OIT_START(p)], end = oit_pixel[OIT_START(p + 1u)];\n"
     "#if OIT_ASYNC\n"
     "    if (end > oit_pool.z)\n"
+    "        discard;\n"
+    "#endif\n"
+    "#if OIT_ASYNC && OIT_STORE == OIT_PREDICT\n"
+    "    if (int(oit_pixel[OIT_LEFT(p)]) < 0)\n"
     "        discard;\n"
     "#endif\n"
     "    // Fragments that were counted and did not come have left the first places empty.\n"
@@ -855,12 +944,14 @@ static const char *const oit_i_shader_oit_compose_glsl[] = {
     "    oit_through *= 1.0 - color.a;\n"
     "}\n"
     "\n"
+    "#if OIT_STORE != OIT_FETCH\n"
     "void oit_lay(uint at)\n"
     "{\n"
     "    uvec4 r, q;\n"
     "    oit_load(at, r, q);\n"
     "    oit_lay(r, q);\n"
     "}\n"
+    "#endif\n"
     "\n"
     "#if OIT_DEEP\n"
     "// Behind what is opaque all weights are zero, so that to stop there changes no bit.\n"
@@ -957,6 +1048,27 @@ static const char *const oit_i_shader_oit_depth_frag[] = {
     "    discard;\n"
     "}\n",
     0};
+static const char *const oit_i_shader_oit_fetch_glsl[] = {
+    "#line 1\n"
+    "// For: oit_buffers.h\n"
+    "// OIT_STORE_FETCH: the nearest layers of a pass, held in the attachments and changed in place by the fragments of a pixel, one\n"
+    "// after the other as they are drawn.\n"
+    "layout(location = 0) inout highp uvec4 oit_layer_0;\n"
+    "layout(location = 1) inout highp uvec4 oit_layer_1;\n"
+    "layout(location = 2) inout highp uvec4 oit_layer_2;\n"
+    "#if OIT_FETCHED == 7\n"
+    "layout(location = 3) inout highp uvec4 oit_layer_3;\n"
+    "layout(location = 4) inout highp uvec4 oit_layer_4;\n"
+    "layout(location = 5) inout highp uvec4 oit_layer_5;\n"
+    "layout(location = 6) inout highp uvec4 oit_layer_6;\n"
+    "#define OIT_EACH_LAYER(X) \\\n"
+    "    X(oit_layer_0) X(oit_layer_1) X(oit_layer_2) X(oit_layer_3) X(oit_layer_4) X(oit_layer_5) X(oit_layer_6)\n"
+    "#else\n"
+    "#define OIT_EACH_LAYER(X) X(oit_layer_0) X(oit_layer_1) X(oit_layer_2)\n"
+    "#endif\n"
+    "// How many were like the last one that was composed; how many there were.\n"
+    "layout(location = OIT_FETCHED) inout highp uvec2 oit_seen;\n",
+    0};
 static const char *const oit_i_shader_oit_frame_block_glsl[] = {
     "#line 1\n"
     "// For: oit_buffers.h\n"
@@ -966,7 +1078,8 @@ static const char *const oit_i_shader_oit_frame_block_glsl[] = {
     "    highp ivec4 oit_area;  // x, y of the slab's corner in the target, its width and height\n"
     "    highp uvec4 oit_pool;  // x: pixels of the slab, y: first fragment of the band, z: capacity, w: blocks of the scan\n"
     "    highp uvec4 oit_step;  // x: 1 with the first slab of a frame, y: what is deeper is left to the program for all depths,\n"
-    "                           // w: k of the stores that keep the k nearest\n"
+    "                           // w: k of the stores that keep the k nearest; of others 1 where the fragments are stored before\n"
+    "                           // they are counted, 2 where they are stored again; of fetch how many passes there are, if known\n"
     "    highp uvec4 oit_above; // what is not deeper than this is left to the program before: of up to 8, 16, 32, 64\n"
     "    highp vec4 oit_light;  // xyz: toward the light, unit length; zero: no shading. w: weight of the background\n"
     "    highp vec4 oit_output; // x: transmittance below which the depth of the composite is taken\n"
@@ -976,13 +1089,15 @@ static const char *const oit_i_shader_oit_frame_block_glsl[] = {
     "};\n"
     "\n"
     "// The pixel buffer: 16 words of totals, then two words a pixel (where its run starts; how many fragments are still to\n"
-    "// come), one more start, a word for each block of the scan, and four words a pixel for the tail.\n"
+    "// come), one more start, a word for each block of the scan, a word a pixel where the store has one of its own, and four or\n"
+    "// six words a pixel for the tail.\n"
     "#define OIT_NEEDED 0u      // fragments of the slab that needs most\n"
     "#define OIT_DEEPEST 1u     // fragments of the deepest pixel\n"
     "#define OIT_LOST_PIXELS 2u // pixels that are composed from the tail\n"
     "#define OIT_LOST 3u        // fragments that went to the tail\n"
     "#define OIT_EXTRA 4u       // fragments that the fill met and the count had not\n"
     "#define OIT_TOTAL 5u       // fragments of this slab\n"
+    "#define OIT_TAKEN 6u       // OIT_STORE_LINKED: records taken of the list\n"
     "#define OIT_PIXELS 8u      // from here on, by power of two: pixels of up to 8, 16, 32, 64 fragments, and of more\n"
     "#define OIT_HEADER 16u\n"
     "#define OIT_START(p) (OIT_HEADER + 2u * (p))\n"
@@ -998,15 +1113,41 @@ static const char *const oit_i_shader_oit_frame_block_glsl[] = {
     "#define OIT_KEY(p, i) (OIT_MORE + 7u * oit_pool.x + (p) * (OIT_LAYERS + 1u) + (i))\n"
     "#define OIT_BUCKET(p, i) (OIT_MORE + (8u + OIT_LAYERS) * oit_pool.x + 2u * ((p) * OIT_LAYERS + (i)))\n"
     "#else\n"
-    "#define OIT_TAIL(p) (OIT_MORE + 4u * (p))\n"
+    "#define OIT_OWN(p) (OIT_MORE + (p))\n"
+    "#define OIT_TAIL(p) (OIT_MORE + uint(OIT_OWN_WORDS) * oit_pool.x + uint(OIT_TAIL_WORDS) * (p))\n"
+    "#endif\n"
+    "#define OIT_DIRECT (OIT_KEEPS == 0 && oit_step.w == 1u)\n"
+    "#define OIT_AGAIN (OIT_KEEPS == 0 && oit_step.w == 2u)\n"
+    "\n"
+    "// OIT_STORE_FETCH: eleven words a pixel: the last record that was composed and how many were like it; light and transmittance\n"
+    "// of what was.\n"
+    "#define OIT_LAID(p) (OIT_MORE + 11u * (p))\n"
+    "\n"
+    "// OIT_STORE_LINKED: one more than the place of the pixel's last record; 0: none.\n"
+    "#define OIT_HEAD(p) OIT_OWN(p)\n"
+    "\n"
+    "// Where the scan finds how long the run of a pixel shall be. OIT_STORE_PREDICT keeps how many fragments came in the frame\n"
+    "// before, and needs no place for its guess but that where the scan writes the start.\n"
+    "#if OIT_STORE == OIT_PREDICT\n"
+    "#define OIT_SEEN(p) OIT_OWN(p)\n"
+    "#define OIT_WANTED(p) OIT_START(p)\n"
+    "#else\n"
+    "#define OIT_WANTED(p) OIT_LEFT(p)\n"
     "#endif\n"
     "#define OIT_NONE 0xffffffffu\n"
-    "\n"
+    "\n",
+    "#line 66\n"
     "// With OIT_HAS_COVERAGE one word a pixel follows: 1 where a fragment covers not all of its samples.\n"
+    "#if OIT_KEEPS\n"
+    "#define OIT_EDGE(p) (OIT_BUCKET(OIT_STORE == OIT_BUCKETED ? oit_pool.x : 0u, 0u) + (p))\n"
+    "#else\n"
     "#define OIT_EDGE(p) (OIT_TAIL(oit_pool.x * uint(OIT_ASYNC)) + (p))\n"
+    "#endif\n"
     "\n"
     "// With what is to come of a pixel whose run does not fit. A pixel has less than 2^30 fragments.\n"
     "#define OIT_UNFIT 0x40000000u\n"
+    "// How many places are left, without that; negative: so many came too much.\n"
+    "#define OIT_TRUE_LEFT(left) (int(left) - (OIT_ASYNC == 1 && int(left) >= 0x20000000 ? 0x40000000 : 0))\n"
     "\n"
     "// Mesa 22's software driver lets multisampled fragments pass beyond the scissor box, by one pixel to the left and below.\n"
     "#define OIT_OUTSIDE (any(lessThan(ivec2(gl_FragCoord.xy), oit_part.xy)) || \\\n"
@@ -1026,6 +1167,52 @@ static const char *const oit_i_shader_oit_fullscreen_vert[] = {
     "{\n"
     "    vec2 corner = vec2(float((gl_VertexID << 1) & 2), float(gl_VertexID & 2));\n"
     "    gl_Position = vec4(2.0 * corner - 1.0, 0.0, 1.0);\n"
+    "}\n",
+    0};
+static const char *const oit_i_shader_oit_gather_comp[] = {
+    "#line 1\n"
+    "// For: oit_buffers.h\n"
+    "// OIT_STORE_LINKED, after the fill: the list of each pixel copied into a run of its own (Carnecky 2013, section 4.3, which\n"
+    "// sorts as it copies; ours are sorted where they are composed). Where the list was too small, into the pixel's tail.\n"
+    "layout(local_size_x = 128) in;\n"
+    "layout(std430, binding = OIT_BINDING_FRAGMENTS) writeonly buffer oit_runs { OIT_VECTOR oit_run[]; };\n"
+    "\n"
+    "// Without the link, which differs from frame to frame, so that only the fragment's own words are ever compared.\n"
+    "void oit_copy(uint from, uint to)\n"
+    "{\n"
+    "    for (uint i = 0u; i < uint(OIT_VECTORS); ++i) {\n"
+    "        OIT_VECTOR words = oit_data[from + i];\n"
+    "        if (i == uint(OIT_AT_LINK / OIT_LANES))\n"
+    "            words[OIT_AT_LINK % OIT_LANES] = 0u;\n"
+    "        oit_run[to + i] = words;\n"
+    "    }\n"
+    "}\n"
+    "\n"
+    "void oit_gather(uint p)\n"
+    "{\n"
+    "    uint end = oit_pixel[OIT_START(p + 1u)], n = end - oit_pixel[OIT_START(p)], found = 0u;\n"
+    "    bool lost = OIT_ASYNC == 1 && end > oit_pool.z;\n"
+    "    for (uint link = oit_pixel[OIT_HEAD(p)]; link != 0u && found < n; ++found) {\n"
+    "        uint at = (link - 1u) * uint(OIT_VECTORS);\n"
+    "#if OIT_ASYNC\n"
+    "        if (lost)\n"
+    "            oit_add_to_tail(p, oit_record_amounts(at));\n"
+    "#endif\n"
+    "        if (!lost)\n"
+    "            oit_copy(at, (end - 1u - found - oit_pool.y) * uint(OIT_VECTORS));\n"
+    "        link = OIT_WORD(at, OIT_AT_LINK);\n"
+    "    }\n"
+    "    if (!lost)\n"
+    "        oit_pixel[OIT_LEFT(p)] = n - found;\n"
+    "}\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    uint block = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;\n"
+    "    uint first = block * OIT_BLOCK + gl_LocalInvocationID.x;\n"
+    "    for (uint i = 0u; i < 8u; ++i)\n"
+    "        if (first + 128u * i < oit_pool.x)\n"
+    "            oit_gather(first + 128u * i);\n"
     "}\n",
     0};
 static const char *const oit_i_shader_oit_keep_comp[] = {
@@ -1093,6 +1280,103 @@ static const char *const oit_i_shader_oit_keep_comp[] = {
     "    }\n"
     "}\n",
     0};
+static const char *const oit_i_shader_oit_laid_frag[] = {
+    "#line 1\n"
+    "// For: oit_buffers.h\n"
+    "// OIT_STORE_FETCH: what has come of all layers, over the target.\n"
+    "#if OIT_MODE == OIT_MODE_DUAL\n"
+    "layout(location = 0, index = 0) out highp vec4 oit_out;\n"
+    "layout(location = 0, index = 1) out highp vec4 oit_keep;\n"
+    "#else\n"
+    "layout(location = 0) out highp vec4 oit_out;\n"
+    "#endif\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    ivec2 where = ivec2(gl_FragCoord.xy) - oit_area.xy;\n"
+    "    uint p = uint(where.y) * uint(oit_area.z) + uint(where.x), at = OIT_LAID(p) + 5u;\n"
+    "    if (oit_pixel[OIT_LEFT(p)] == 0u)\n"
+    "        discard;\n"
+    "    vec3 sum = uintBitsToFloat(uvec3(oit_pixel[at], oit_pixel[at + 1u], oit_pixel[at + 2u]));\n"
+    "    vec3 through = uintBitsToFloat(uvec3(oit_pixel[at + 3u], oit_pixel[at + 4u], oit_pixel[at + 5u]));\n"
+    "#if OIT_MODE == OIT_MODE_DUAL\n"
+    "    oit_out = vec4(sum, 0.0);\n"
+    "    oit_keep = vec4(oit_light.w * through, 0.0);\n"
+    "#elif OIT_MODE == OIT_MODE_FILTER\n"
+    "    oit_out = vec4(oit_light.w * through, 0.0);\n"
+    "#elif OIT_MODE == OIT_MODE_LIGHT\n"
+    "    oit_out = vec4(sum, 0.0);\n"
+    "#else\n"
+    "    oit_out = vec4(sum, oit_light.w * through.r);\n"
+    "#endif\n"
+    "}\n",
+    0};
+static const char *const oit_i_shader_oit_lay_frag[] = {
+    "#line 1\n"
+    "// For: oit_buffers.h\n"
+    "// OIT_STORE_FETCH, after a geometry pass: the layers that it left, laid behind those of the passes before, and taken away for\n"
+    "// the next. With OIT_FIRST, before the first: nothing laid yet.\n"
+    "#if OIT_FIRST == 0\n"
+    "void oit_lay_next(uvec4 layer, inout uvec4 last, inout uint copies)\n"
+    "{\n"
+    "    if (layer.x == OIT_NONE)\n"
+    "        return;\n"
+    "    copies = layer == last ? copies + 1u : 1u;\n"
+    "    last = layer;\n"
+    "    oit_lay(layer, uvec4(0u));\n"
+    "}\n"
+    "\n"
+    "void oit_count_lost(uint p, uint count)\n"
+    "{\n"
+    "    uint most = oit_step.w * uint(OIT_FETCHED);\n"
+    "    oit_pixel[OIT_LEFT(p)] = count;\n"
+    "    if (most == 0u || count <= most)\n"
+    "        return;\n"
+    "    atomicAdd(oit_pixel[OIT_LOST_PIXELS], 1u);\n"
+    "    atomicAdd(oit_pixel[OIT_LOST], count - most);\n"
+    "}\n"
+    "#endif\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    ivec2 where = ivec2(gl_FragCoord.xy) - oit_area.xy;\n"
+    "    uint p = uint(where.y) * uint(oit_area.z) + uint(where.x), at = OIT_LAID(p);\n"
+    "#if OIT_FIRST\n"
+    "    for (uint i = 0u; i < 8u; ++i)\n"
+    "        oit_pixel[at + i] = 0u;\n"
+    "    for (uint i = 8u; i < 11u; ++i)\n"
+    "        oit_pixel[at + i] = floatBitsToUint(1.0);\n"
+    "    if (p < OIT_HEADER)\n"
+    "        oit_pixel[p] = 0u;\n"
+    "#else\n"
+    "    uvec4 last = uvec4(oit_pixel[at], oit_pixel[at + 1u], oit_pixel[at + 2u], oit_pixel[at + 3u]);\n"
+    "    uint copies = oit_pixel[at + 4u];\n"
+    "    if (copies == 0u)\n"
+    "        oit_count_lost(p, oit_seen.y);\n"
+    "    for (uint c = 0u; c < 3u; ++c)\n"
+    "        oit_sum[c] = uintBitsToFloat(oit_pixel[at + 5u + c]);\n"
+    "#if OIT_HAS_BLEND\n"
+    "    for (uint c = 0u; c < 3u; ++c)\n"
+    "        oit_through[c] = uintBitsToFloat(oit_pixel[at + 8u + c]);\n"
+    "#else\n"
+    "    oit_through = uintBitsToFloat(oit_pixel[at + 8u]);\n"
+    "#endif\n"
+    "#define OIT_LAY_NEXT(l) oit_lay_next(l, last, copies);\n"
+    "    OIT_EACH_LAYER(OIT_LAY_NEXT)\n"
+    "    for (uint c = 0u; c < 4u; ++c)\n"
+    "        oit_pixel[at + c] = last[c];\n"
+    "    oit_pixel[at + 4u] = copies;\n"
+    "    vec3 through = vec3(oit_through);\n"
+    "    for (uint c = 0u; c < 3u; ++c) {\n"
+    "        oit_pixel[at + 5u + c] = floatBitsToUint(oit_sum[c]);\n"
+    "        oit_pixel[at + 8u + c] = floatBitsToUint(through[c]);\n"
+    "    }\n"
+    "#endif\n"
+    "#define OIT_TAKE_AWAY(l) l = uvec4(OIT_NONE);\n"
+    "    OIT_EACH_LAYER(OIT_TAKE_AWAY)\n"
+    "    oit_seen = uvec2(0u);\n"
+    "}\n",
+    0};
 static const char *const oit_i_shader_oit_ordered_glsl[] = {
     "#line 1\n"
     "// For: oit_buffers.h\n"
@@ -1105,6 +1389,9 @@ static const char *const oit_i_shader_oit_ordered_glsl[] = {
     "    bool fits = true;\n"
     "#if OIT_ASYNC\n"
     "    fits = end <= oit_pool.z;\n"
+    "#if OIT_STORE == OIT_PREDICT\n"
+    "    fits = fits && int(oit_pixel[OIT_LEFT(p)]) >= 0;\n"
+    "#endif\n"
     "#endif\n"
     "    // Fragments that were counted and did not come have left the first places empty.\n"
     "    if (fits)\n"
@@ -1160,16 +1447,63 @@ static const char *const oit_i_shader_oit_pick_comp[] = {
     "    }\n"
     "}\n",
     0};
+static const char *const oit_i_shader_oit_predict_comp[] = {
+    "#line 1\n"
+    "// For: oit_buffers.h\n"
+    "// OIT_STORE_PREDICT: how long the run of each pixel shall be: the most that it or a neighbour had in the frame before, and\n"
+    "// some headroom; or, where the frame is filled again, what it had. Clears totals, and the sums of pixels that were lost.\n"
+    "layout(local_size_x = 128) in;\n"
+    "layout(std430, binding = OIT_BINDING_PIXELS) buffer oit_pixels { uint oit_pixel[]; };\n"
+    "\n"
+    "uint oit_most_around(uint p)\n"
+    "{\n"
+    "    ivec2 size = oit_area.zw, at = ivec2(int(p) % size.x, int(p) / size.x);\n"
+    "    ivec2 low = max(at - 1, ivec2(0)), high = min(at + 1, size - 1);\n"
+    "    uint most = 0u;\n"
+    "    for (int y = low.y; y <= high.y; ++y)\n"
+    "        for (int x = low.x; x <= high.x; ++x)\n"
+    "            most = max(most, oit_pixel[OIT_SEEN(uint(y * size.x + x))]);\n"
+    "    // Sixteenths, rounded up.\n"
+    "    return most + (most >> 4u) * uint(OIT_HEADROOM) + (((most & 15u) * uint(OIT_HEADROOM) + 15u) >> 4u);\n"
+    "}\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    uint block = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;\n"
+    "    uint first = block * OIT_BLOCK + gl_LocalInvocationID.x;\n"
+    "    for (uint i = 0u; i < 8u; ++i) {\n"
+    "        uint p = first + 128u * i;\n"
+    "        if (p >= oit_pool.x)\n"
+    "            continue;\n"
+    "#if OIT_HAS_COVERAGE\n"
+    "        oit_pixel[OIT_EDGE(p)] = 0u;\n"
+    "#endif\n"
+    "#if OIT_ASYNC\n"
+    "        if (oit_pixel[OIT_LEFT(p)] >= OIT_UNFIT >> 1u) // less than none left, or unfit\n"
+    "            for (uint c = 0u; c < uint(OIT_TAIL_WORDS); ++c)\n"
+    "                oit_pixel[OIT_TAIL(p) + c] = 0u;\n"
+    "#endif\n"
+    "        oit_pixel[OIT_WANTED(p)] = OIT_DIRECT ? oit_most_around(p) : oit_pixel[OIT_SEEN(p)];\n"
+    "    }\n"
+    "    if (first < OIT_HEADER)\n"
+    "        oit_pixel[first] = 0u;\n"
+    "}\n",
+    0};
 static const char *const oit_i_shader_oit_record_glsl[] = {
     "#line 1\n"
     "// For: oit_buffers.h\n"
     "// Records read back: the order of two, colour, how it is laid over what is behind.\n"
+    "#ifndef OIT_SETTLES\n"
     "#ifdef OIT_ARRANGES\n"
     "layout(std430, binding = OIT_BINDING_PIXELS) buffer oit_pixels { uint oit_pixel[]; };\n"
     "#else\n"
     "layout(std430, binding = OIT_BINDING_PIXELS) readonly buffer oit_pixels { uint oit_pixel[]; };\n"
     "#endif\n"
-    "layout(std430, binding = OIT_BINDING_FRAGMENTS) readonly buffer oit_fragments { OIT_VECTOR oit_data[]; };\n"
+    "#endif\n"
+    "#ifndef OIT_BINDING_RECORDS\n"
+    "#define OIT_BINDING_RECORDS OIT_BINDING_FRAGMENTS\n"
+    "#endif\n"
+    "layout(std430, binding = OIT_BINDING_RECORDS) readonly buffer oit_fragments { OIT_VECTOR oit_data[]; };\n"
     "\n"
     "// Whether the record at a comes after that at b; by their words, then by where they lie, which only tells apart records\n"
     "// that are alike in every word.\n"
@@ -1192,21 +1526,8 @@ static const char *const oit_i_shader_oit_record_glsl[] = {
     "    return oit_data[at].x;\n"
     "}\n"
     "\n"
-    "vec4 oit_unpack_color(uvec4 w)\n"
-    "{\n"
-    "#if OIT_COLOR == OIT_COLOR_8\n"
-    "    return vec4(vec3(uvec3(w.x, w.x >> 10u, w.x >> 20u) & 1023u) * (1.0 / 1023.0), uintBitsToFloat(w.y));\n"
-    "#elif OIT_COLOR == OIT_COLOR_HALF\n"
-    "    return vec4(unpackHalf2x16(w.x), unpackHalf2x16(w.y));\n"
-    "#else\n"
-    "    return uintBitsToFloat(w);\n"
-    "#endif\n"
-    "}\n"
-    "\n"
     "// The words by which records are sorted and composed: the first OIT_SORTED of them, depth to colour and blend, in two\n"
     "// vectors; zeros after them. What a record carries beyond cannot be seen in the picture.\n"
-    "#define OIT_COVERAGE_OF(word) ((word) >> uint(OIT_COVERAGE_SHIFT))\n"
-    "#define OIT_SORTED_WORD(i) ((i) < 4 ? r[(i) & 3] : q[(i) & 3])\n"
     "void oit_load(uint at, out uvec4 r, out uvec4 q)\n"
     "{\n"
     "    q = uvec4(0u);\n"
@@ -1238,15 +1559,25 @@ static const char *const oit_i_shader_oit_record_glsl[] = {
     "#endif\n"
     "}\n"
     "\n"
-    "uvec4 oit_color_words(uvec4 r, uvec4 q)\n"
+    "#if defined(OIT_SETTLES) && OIT_ASYNC\n"
+    "// What the record adds to the tail.\n"
+    "vec4 oit_record_amounts(uint at)\n"
     "{\n"
-    "    uvec4 w = uvec4(OIT_SORTED_WORD(OIT_AT_COLOR), OIT_SORTED_WORD(OIT_AT_COLOR + 1), 0u, 0u);\n"
-    "#if OIT_COLOR == OIT_COLOR_FLOAT\n"
-    "    w.z = OIT_SORTED_WORD(OIT_AT_COLOR + 2);\n"
-    "    w.w = OIT_SORTED_WORD(OIT_AT_COLOR + 3);\n"
+    "    uvec4 r, q;\n"
+    "    uint blend = 0u, covered = 0u;\n"
+    "    oit_load(at, r, q);\n"
+    "    uvec4 words = oit_color_words(r, q);\n"
+    "#if OIT_HAS_BLEND && OIT_COLOR == OIT_COLOR_8\n"
+    "    blend = words.x >> 30u;\n"
+    "#elif OIT_HAS_BLEND\n"
+    "    blend = OIT_SORTED_WORD(OIT_AT_BLEND) & 255u;\n"
     "#endif\n"
-    "    return w;\n"
-    "}\n",
+    "#if OIT_HAS_COVERAGE\n"
+    "    covered = OIT_COVERAGE_OF(OIT_SORTED_WORD(OIT_AT_COVERAGE));\n"
+    "#endif\n"
+    "    return oit_tail_amounts(oit_unpack_color(words), blend, covered);\n"
+    "}\n"
+    "#endif\n",
     0};
 static const char *const oit_i_shader_oit_report_comp[] = {
     "#line 1\n"
@@ -1271,6 +1602,19 @@ static const char *const oit_i_shader_oit_scan_glsl[] = {
     "    uint sum = a + b;\n"
     "    return sum < a ? 0xffffffffu : sum;\n"
     "}\n"
+    "\n"
+    "// OIT_STORE_LINKED, and the list was too small for `total`: which records it has depends on which came first, so all pixels\n"
+    "// are lost alike: by this much their runs are moved, beyond the pool.\n"
+    "uint oit_all_lost(uint total)\n"
+    "{\n"
+    "    return OIT_STORE == OIT_LINKED && OIT_ASYNC == 1 && OIT_DIRECT && total > oit_pool.z ? oit_pool.z : 0u;\n"
+    "}\n"
+    "\n"
+    "// 0 for up to 8, then one more for each doubling.\n"
+    "uint oit_class(uint count)\n"
+    "{\n"
+    "    return count <= 8u ? 0u : min(uint(findMSB(count - 1u)) - 2u, 4u);\n"
+    "}\n"
     "#ifdef OIT_SCANS\n"
     "shared uint oit_scanned[128];\n"
     "\n"
@@ -1289,6 +1633,61 @@ static const char *const oit_i_shader_oit_scan_glsl[] = {
     "}\n"
     "#endif\n",
     0};
+static const char *const oit_i_shader_oit_settle_comp[] = {
+    "#line 1\n"
+    "// For: oit_buffers.h\n"
+    "// OIT_STORE_PREDICT, after the fill: how many fragments came to each pixel, what the frame was like, and which pixels got\n"
+    "// more than their runs hold. What such a pixel has stored goes to its tail, where the rest is already: so it does not show\n"
+    "// which came first.\n"
+    "layout(local_size_x = 128) in;\n"
+    "shared uint oit_totals[OIT_HEADER];\n"
+    "\n"
+    "void oit_settle(uint p, inout uint deepest)\n"
+    "{\n"
+    "    uint start = oit_pixel[OIT_START(p)], end = oit_pixel[OIT_START(p + 1u)];\n"
+    "    int left = OIT_TRUE_LEFT(oit_pixel[OIT_LEFT(p)]);\n"
+    "    uint seen = end - start - uint(left);\n"
+    "    oit_pixel[OIT_SEEN(p)] = seen;\n"
+    "    if (seen == 0u)\n"
+    "        return;\n"
+    "    if (OIT_DIRECT) {\n"
+    "        deepest = max(deepest, seen);\n"
+    "        atomicAdd(oit_totals[OIT_NEEDED], seen);\n"
+    "        atomicAdd(oit_totals[OIT_PIXELS + oit_class(seen)], 1u);\n"
+    "    } else if (OIT_ASYNC == 0) { // counted: nothing is lost, and what is too much was not stored\n"
+    "        atomicAdd(oit_totals[OIT_EXTRA], uint(max(-left, 0)));\n"
+    "        return;\n"
+    "    }\n"
+    "    if (left >= 0 && end <= oit_pool.z)\n"
+    "        return;\n"
+    "    atomicAdd(oit_totals[OIT_LOST_PIXELS], 1u);\n"
+    "    atomicAdd(oit_totals[OIT_LOST], seen);\n"
+    "#if OIT_ASYNC\n"
+    "    for (uint i = start; i < end && end <= oit_pool.z; ++i)\n"
+    "        oit_add_to_tail(p, oit_record_amounts(i * uint(OIT_VECTORS)));\n"
+    "#endif\n"
+    "}\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    uint block = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;\n"
+    "    uint self = gl_LocalInvocationID.x, deepest = 0u;\n"
+    "    if (self < OIT_HEADER)\n"
+    "        oit_totals[self] = 0u;\n"
+    "    barrier();\n"
+    "    for (uint i = 0u; i < 8u; ++i) {\n"
+    "        uint p = block * OIT_BLOCK + 128u * i + self;\n"
+    "        if (p < oit_pool.x)\n"
+    "            oit_settle(p, deepest);\n"
+    "    }\n"
+    "    atomicMax(oit_totals[OIT_DEEPEST], deepest);\n"
+    "    barrier();\n"
+    "    if (self == OIT_DEEPEST)\n"
+    "        atomicMax(oit_pixel[OIT_DEEPEST], oit_totals[OIT_DEEPEST]);\n"
+    "    else if (self < OIT_HEADER && oit_totals[self] > 0u)\n"
+    "        atomicAdd(oit_pixel[self], oit_totals[self]);\n"
+    "}\n",
+    0};
 static const char *const oit_i_shader_oit_spread_comp[] = {
     "#line 1\n"
     "// For: oit_buffers.h\n"
@@ -1299,11 +1698,15 @@ static const char *const oit_i_shader_oit_spread_comp[] = {
     "\n"
     "void oit_lose(uint p, uint count)\n"
     "{\n"
+    "    oit_pixel[OIT_LEFT(p)] = count | OIT_UNFIT;\n"
+    "#if OIT_STORE != OIT_PREDICT // where it is known when all have come\n"
     "    atomicAdd(oit_pixel[OIT_LOST_PIXELS], 1u);\n"
     "    atomicAdd(oit_pixel[OIT_LOST], count);\n"
-    "    oit_pixel[OIT_LEFT(p)] = count | OIT_UNFIT;\n"
+    "#endif\n"
+    "#if OIT_STORE == OIT_EXACT\n"
     "    for (uint c = 0u; c < 4u; ++c)\n"
     "        oit_pixel[OIT_TAIL(p) + c] = 0u;\n"
+    "#endif\n"
     "}\n"
     "\n"
     "void main()\n"
@@ -1312,12 +1715,16 @@ static const char *const oit_i_shader_oit_spread_comp[] = {
     "    uint first = block * OIT_BLOCK + 8u * gl_LocalInvocationID.x;\n"
     "    uint sum = 0u;\n"
     "    for (uint p = first; p < first + 8u; ++p)\n"
-    "        sum = oit_add(sum, p < oit_pool.x ? oit_pixel[OIT_LEFT(p)] : 0u);\n"
+    "        sum = oit_add(sum, p < oit_pool.x ? oit_pixel[OIT_WANTED(p)] : 0u);\n"
     "    uint before = oit_scan(gl_LocalInvocationID.x, sum);\n"
     "    before = oit_add(before, block < oit_pool.w ? oit_pixel[OIT_SUM(block)] : 0u);\n"
+    "    before = oit_add(before, oit_all_lost(oit_pixel[OIT_TOTAL]));\n"
     "    for (uint p = first; p < first + 8u && p < oit_pool.x; ++p) {\n"
-    "        uint count = oit_pixel[OIT_LEFT(p)];\n"
+    "        uint count = oit_pixel[OIT_WANTED(p)];\n"
     "        oit_pixel[OIT_START(p)] = before;\n"
+    "#if OIT_STORE == OIT_PREDICT\n"
+    "        oit_pixel[OIT_LEFT(p)] = count;\n"
+    "#endif\n"
     "        before = oit_add(before, count);\n"
     "#if OIT_ASYNC\n"
     "        if (before > oit_pool.z && count > 0u)\n"
@@ -1336,12 +1743,7 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "#if OIT_HAS_COVERAGE && OIT_POST_DEPTH\n"
     "layout(post_depth_coverage) in;\n"
     "#endif\n"
-    "#if OIT_KEEPS && OIT_PASS == OIT_COUNT\n"
-    "layout(std430, binding = OIT_BINDING_PIXELS) coherent buffer oit_pixels { uint oit_pixel[]; };\n"
-    "#else\n"
-    "layout(std430, binding = OIT_BINDING_PIXELS) buffer oit_pixels { uint oit_pixel[]; };\n"
-    "#endif\n"
-    "#if OIT_PASS == OIT_FILL\n"
+    "#if OIT_PASS == OIT_FILL && OIT_STORE != OIT_FETCH\n"
     "layout(std430, binding = OIT_BINDING_FRAGMENTS) writeonly buffer oit_fragments { OIT_VECTOR oit_data[]; };\n"
     "#endif\n"
     "\n"
@@ -1460,9 +1862,9 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "}\n"
     "#endif\n"
     "\n"
-    "#if OIT_KEEPS && OIT_PASS == OIT_COUNT\n",
-    "#line 134\n"
-    "// Leaves the k + 1 smallest keys of the pixel in its k + 1 words, in no order. A word only ever gets smaller, and by a\n"
+    "#if OIT_KEEPS && OIT_PASS == OIT_COUNT\n"
+    "// Leaves the k + 1 smallest keys of the pixel in its k + 1 words, in no order. A word only ever gets smaller, and by a\n",
+    "#line 130\n"
     "// swap that fails where another fragment was there before. So when the swap succeeds, all that was read of the other words\n"
     "// is still an upper bound of them: the key that goes is the greatest of the k + 2, whatever else is under way, and a key\n"
     "// that is not less than all words read is not less than all words are. The smallest k + 1 stay, in any order of arrival.\n"
@@ -1503,10 +1905,9 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "}\n"
     "#endif\n"
     "\n"
-    "void oit_write(uint at, oit_fragment f)\n"
+    "void oit_pack(oit_fragment f, out uint w[OIT_VECTORS * OIT_LANES])\n"
     "{\n"
     "    vec4 color = oit_finite(f.color);\n"
-    "    uint w[OIT_VECTORS * OIT_LANES];\n"
     "    for (int i = 0; i < OIT_VECTORS * OIT_LANES; ++i)\n"
     "        w[i] = 0u;\n"
     "    w[0] = oit_depth_bits();\n"
@@ -1548,6 +1949,33 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "    for (int i = 0; i < OIT_HOST_WORDS; ++i)\n"
     "        w[OIT_AT_HOST + i] = f.words[i];\n"
     "#endif\n"
+    "}\n"
+    "\n"
+    "#if OIT_STORE == OIT_FETCH\n"
+    "bool oit_before(uvec4 a, uvec4 b)\n"
+    "{\n"
+    "    return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z != b.z ? a.z < b.z : a.w < b.w;\n"
+    "}\n"
+    "\n"
+    "// Into the layers of this pass, nearest first; what falls out is for a later pass. What has been composed is passed over:\n"
+    "// all that comes before the last record that was, and of those like it, which no one can tell apart, as many as were.\n"
+    "void oit_put(uint p, uvec4 r)\n"
+    "{\n"
+    "    uint at = OIT_LAID(p), copies = oit_pixel[at + 4u];\n"
+    "    uvec4 last = uvec4(oit_pixel[at], oit_pixel[at + 1u], oit_pixel[at + 2u], oit_pixel[at + 3u]);\n"
+    "    oit_seen.y += 1u;\n"
+    "    if (copies > 0u && !oit_before(last, r)) {\n"
+    "        oit_seen.x += r == last ? 1u : 0u;\n"
+    "        if (r != last || oit_seen.x <= copies)\n"
+    "            return;\n"
+    "    }\n",
+    "#line 234\n"
+    "#define OIT_EXCHANGE(l) if (oit_before(r, l)) { uvec4 kept = l; l = r; r = kept; }\n"
+    "    OIT_EACH_LAYER(OIT_EXCHANGE)\n"
+    "}\n"
+    "#else\n"
+    "void oit_write(uint at, uint w[OIT_VECTORS * OIT_LANES])\n"
+    "{\n"
     "    for (int i = 0; i < OIT_VECTORS; ++i)\n"
     "#if OIT_LANES == 4\n"
     "        oit_data[at + uint(i)] = uvec4(w[4 * i], w[4 * i + 1], w[4 * i + 2], w[4 * i + 3]);\n"
@@ -1555,50 +1983,34 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "        oit_data[at + uint(i)] = uvec2(w[2 * i], w[2 * i + 1]);\n"
     "#endif\n"
     "}\n"
-    "\n"
-    "#if OIT_ASYNC || OIT_KEEPS\n"
-    "// The tail: sums that do not depend on the order, in integers so that rounding does not either. The layers of a pixel are\n"
-    "// taken as mixed evenly: optical depths add, colours are weighted by them. Colours up to 4 and optical depths up to 11 make\n"
-    "// less than 64 a fragment.\n"
-    "vec4 oit_tail_parts(oit_fragment f)\n"
-    "{\n"
-    "    vec4 color = oit_finite(f.color);\n"
-    "#if OIT_HAS_COVERAGE // the tail knows no samples: a fragment is as much thinner as it covers less of the pixel\n",
-    "#line 236\n"
-    "    color *= vec4(vec3(OIT_PREMULTIPLIED == 1 ? OIT_SHARE(oit_coverage()) : 1.0), OIT_SHARE(oit_coverage()));\n"
     "#endif\n"
-    "    float thickness = min(-log(1.0 - min(color.a, 0.999999)), 11.0);\n"
-    "    vec3 c = clamp(color.rgb, 0.0, 4.0);\n"
-    "#if OIT_PREMULTIPLIED\n"
-    "    c = color.a > 0.0 ? min(c / color.a, vec3(4.0)) : c;\n"
-    "    float weight = color.a > 0.0 ? thickness : 1.0;\n"
+    "\n"
+    "#if (OIT_ASYNC || OIT_KEEPS) && OIT_STORE != OIT_FETCH\n"
+    "#if OIT_HAS_COVERAGE\n"
+    "#define OIT_COVERED_NOW oit_coverage()\n"
     "#else\n"
-    "    float weight = thickness;\n"
+    "#define OIT_COVERED_NOW 0u\n"
     "#endif\n"
     "#if OIT_HAS_BLEND\n"
-    "    if (f.blend == OIT_BLEND_ADD) {\n"
-    "        weight = OIT_PREMULTIPLIED == 1 ? max(color.a, 1.0e-6) : color.a;\n"
-    "        thickness = 0.0;\n"
-    "    } else if (f.blend == OIT_BLEND_MULTIPLY) {\n"
-    "        float keep = 1.0 - color.a + color.a * min((c.r + c.g + c.b) / 3.0, 1.0);\n"
-    "        thickness = min(-log(max(keep, 1.0e-6)), 11.0);\n"
-    "        weight = 0.0;\n"
-    "    }\n"
+    "#define OIT_BLEND_OF(f) f.blend\n"
+    "#else\n"
+    "#define OIT_BLEND_OF(f) OIT_BLEND_OVER\n"
     "#endif\n"
-    "    return vec4(c * weight, thickness);\n"
-    "}\n"
     "\n"
     "#if OIT_KEEPS\n"
-    "// In units of 2^-26, with 16 more bits by carries: how many there are follows from the sum alone. A fragment makes less\n"
-    "// than one, so that 65,535 fragments do not overflow.\n"
     "void oit_to_tail(uint p, oit_fragment f)\n"
     "{\n"
-    "    uvec4 parts = uvec4(oit_tail_parts(f) * 67108864.0 + 0.5);\n"
-    "    for (uint c = 0u; c < 4u; ++c) {\n"
-    "        uint before = atomicAdd(oit_pixel[OIT_TAIL(p) + c], parts[c]);\n"
-    "        if (before > 0xffffffffu - parts[c])\n"
-    "            atomicAdd(oit_pixel[OIT_TAIL(p) + 4u + (c >> 1u)], 1u << (16u * (c & 1u)));\n"
-    "    }\n"
+    "    oit_add_to_tail(p, oit_tail_amounts(oit_finite(f.color), OIT_BLEND_OF(f), OIT_COVERED_NOW));\n"
+    "}\n"
+    "#elif OIT_TAIL_WORDS == 6\n"
+    "// With the colour as it would be read back: what is stored of the same pixel is added by others from there.\n"
+    "void oit_to_tail(uint p, oit_fragment f, uint w[OIT_VECTORS * OIT_LANES])\n"
+    "{\n"
+    "    uvec4 words = uvec4(w[OIT_AT_COLOR], w[OIT_AT_COLOR + 1], 0u, 0u);\n"
+    "#if OIT_COLOR == OIT_COLOR_FLOAT\n"
+    "    words.zw = uvec2(w[OIT_AT_COLOR + 2], w[OIT_AT_COLOR + 3]);\n"
+    "#endif\n"
+    "    oit_add_to_tail(p, oit_tail_amounts(oit_unpack_color(words), OIT_BLEND_OF(f), OIT_COVERED_NOW));\n"
     "}\n"
     "#else\n"
     "// Bits are shared out by the count of the pixel, so that no sum overflows.\n"
@@ -1610,7 +2022,7 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "#elif OIT_ADAPTIVE\n"
     "    scale /= f.color.a < 1.0 ? float(count) : 1.0;\n"
     "#endif\n"
-    "    uvec4 parts = uvec4(oit_tail_parts(f) * scale + 0.5);\n"
+    "    uvec4 parts = uvec4(oit_tail_amounts(oit_finite(f.color), OIT_BLEND_OF(f), OIT_COVERED_NOW) * scale + 0.5);\n"
     "    atomicAdd(oit_pixel[OIT_TAIL(p)], parts.r);\n"
     "    atomicAdd(oit_pixel[OIT_TAIL(p) + 1u], parts.g);\n"
     "    atomicAdd(oit_pixel[OIT_TAIL(p) + 2u], parts.b);\n"
@@ -1618,6 +2030,24 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "}\n"
     "#endif\n"
     "#endif\n"
+    "#endif\n"
+    "\n"
+    "#if OIT_PASS == OIT_FILL && OIT_STORE == OIT_LINKED\n"
+    "// Carnecky 2013, algorithm 1. A fragment for which the list is too small counts all the same.\n"
+    "void oit_insert(uint p, oit_fragment f)\n"
+    "{\n"
+    "    uint w[OIT_VECTORS * OIT_LANES];\n"
+    "    oit_pack(f, w);\n"
+    "    uint slot = atomicAdd(oit_pixel[OIT_TAKEN], 1u);\n"
+    "    if (slot >= oit_pool.z) {\n"
+    "#if OIT_ASYNC\n"
+    "        oit_to_tail(p, f, w);\n"
+    "#endif\n"
+    "        return;\n"
+    "    }\n"
+    "    w[OIT_AT_LINK] = atomicExchange(oit_pixel[OIT_HEAD(p)], slot + 1u);\n"
+    "    oit_write(slot * uint(OIT_VECTORS), w);\n"
+    "}\n"
     "#endif\n"
     "\n"
     "void oit_store(oit_fragment f)\n"
@@ -1632,7 +2062,11 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "#if OIT_KEEPS && OIT_PASS == OIT_COUNT\n"
     "    oit_select(p, oit_key(f));\n"
     "#elif OIT_PASS == OIT_COUNT\n"
-    "    atomicAdd(oit_pixel[OIT_LEFT(p)], 1u);\n"
+    "    atomicAdd(oit_pixel[OIT_WANTED(p)], 1u);\n"
+    "#elif OIT_STORE == OIT_FETCH\n"
+    "    uint w[4];\n"
+    "    oit_pack(f, w);\n"
+    "    oit_put(p, uvec4(w[0], w[1], w[2], w[3]));\n"
     "#else\n"
     "#if OIT_KEEPS\n"
     "    if (oit_key(f) >= oit_pixel[OIT_LIMIT(p)]) {\n"
@@ -1640,25 +2074,45 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "        return;\n"
     "    }\n"
     "#endif\n"
-    "    uint left = atomicAdd(oit_pixel[OIT_LEFT(p)], 0xffffffffu);\n"
-    "#if OIT_ASYNC\n"
+    "    uint left = atomicAdd(oit_pixel[OIT_LEFT(p)], OIT_STORE == OIT_LINKED && OIT_DIRECT ? 1u : 0xffffffffu);\n"
+    "#if OIT_ASYNC && (OIT_STORE == OIT_EXACT || OIT_STORE == OIT_LINKED)\n"
     "    if (left >> 30u == 1u) { // OIT_UNFIT, and not what wraps below 0\n"
-    "        uint count = oit_pixel[OIT_START(p + 1u)] - oit_pixel[OIT_START(p)];\n"
-    "        if (left != OIT_UNFIT)\n"
-    "            oit_to_tail(p, count, f);\n"
-    "        else\n"
+    "        if (left == OIT_UNFIT) {\n"
     "            atomicAdd(oit_pixel[OIT_EXTRA], 1u);\n"
+    "            return;\n"
+    "        }\n"
+    "#if OIT_TAIL_WORDS == 4\n"
+    "        oit_to_tail(p, oit_pixel[OIT_START(p + 1u)] - oit_pixel[OIT_START(p)], f);\n"
+    "#else\n"
+    "        uint words[OIT_VECTORS * OIT_LANES];\n"
+    "        oit_pack(f, words);\n"
+    "        oit_to_tail(p, f, words);\n"
+    "#endif\n"
     "        return;\n"
     "    }\n"
     "#endif\n"
+    "#if OIT_STORE == OIT_LINKED\n"
+    "    if (OIT_DIRECT || left - 1u < oit_pool.z)\n"
+    "        oit_insert(p, f);\n"
+    "    else\n",
+    "#line 359\n"
+    "        atomicAdd(oit_pixel[OIT_EXTRA], 1u);\n"
+    "#else\n"
     "    // Nothing is written outside of the run, however many fragments come: after as many as were counted, what is left is\n"
     "    // 0, and then wraps to more than any pool holds.\n"
+    "    uint w[OIT_VECTORS * OIT_LANES];\n"
+    "    oit_pack(f, w);\n"
     "    uint slot = oit_pixel[OIT_START(p)] + left - 1u - oit_pool.y;\n"
     "    if (left - 1u >= oit_pool.z || slot >= oit_pool.z) {\n"
+    "#if OIT_STORE != OIT_PREDICT\n"
     "        atomicAdd(oit_pixel[OIT_EXTRA], 1u);\n"
+    "#elif OIT_ASYNC\n"
+    "        oit_to_tail(p, f, w);\n"
+    "#endif\n"
     "        return;\n"
     "    }\n"
-    "    oit_write(slot * uint(OIT_VECTORS), f);\n"
+    "    oit_write(slot * uint(OIT_VECTORS), w);\n"
+    "#endif\n"
     "#endif\n"
     "}\n"
     "\n"
@@ -1698,12 +2152,6 @@ static const char *const oit_i_shader_oit_sum_comp[] = {
     "shared uint oit_most[128];\n"
     "shared uint oit_classes[5];\n"
     "\n"
-    "// 0 for up to 8, then one more for each doubling.\n"
-    "uint oit_class(uint count)\n"
-    "{\n"
-    "    return count <= 8u ? 0u : min(uint(findMSB(count - 1u)) - 2u, 4u);\n"
-    "}\n"
-    "\n"
     "void main()\n"
     "{\n"
     "    uint block = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;\n"
@@ -1714,7 +2162,7 @@ static const char *const oit_i_shader_oit_sum_comp[] = {
     "    barrier();\n"
     "    for (uint i = 0u; i < 8u; ++i) {\n"
     "        uint p = block * OIT_BLOCK + 128u * i + self;\n"
-    "        uint count = p < oit_pool.x ? oit_pixel[OIT_LEFT(p)] : 0u;\n"
+    "        uint count = p < oit_pool.x ? oit_pixel[OIT_WANTED(p)] : 0u;\n"
     "        sum = oit_add(sum, count);\n"
     "        most = max(most, count);\n"
     "        if (count > 0u)\n"
@@ -1730,11 +2178,13 @@ static const char *const oit_i_shader_oit_sum_comp[] = {
     "        }\n"
     "        barrier();\n"
     "    }\n"
-    "    if (self < 5u && oit_classes[self] > 0u)\n"
+    "    bool known = OIT_STORE != OIT_PREDICT || !OIT_DIRECT; // what is only guessed is not reported\n"
+    "    if (known && self < 5u && oit_classes[self] > 0u)\n"
     "        atomicAdd(oit_pixel[OIT_PIXELS + self], oit_classes[self]);\n"
     "    if (self == 0u && block < oit_pool.w) {\n"
     "        oit_pixel[OIT_SUM(block)] = oit_sums[0];\n"
-    "        atomicMax(oit_pixel[OIT_DEEPEST], oit_most[0]);\n"
+    "        if (known)\n"
+    "            atomicMax(oit_pixel[OIT_DEEPEST], oit_most[0]);\n"
     "    }\n"
     "}\n",
     0};
@@ -1853,10 +2303,19 @@ static const char *const oit_i_shader_oit_tail_frag[] = {
     "    if (end != start || oit_pixel[OIT_LIMIT(p)] == OIT_NONE)\n"
     "        discard;\n"
     "    vec4 sums = oit_tail_sums(p);\n"
+    "#elif OIT_STORE == OIT_PREDICT\n"
+    "    int left = OIT_TRUE_LEFT(oit_pixel[OIT_LEFT(p)]);\n"
+    "    if ((end <= oit_pool.z && left >= 0) || int(end - start) == left)\n"
+    "        discard;\n"
+    "    vec4 sums = oit_tail_sums(p);\n"
     "#else\n"
     "    if (end <= oit_pool.z || end == start)\n"
     "        discard;\n"
+    "#if OIT_TAIL_WORDS == 6\n"
+    "    vec4 sums = oit_tail_sums(p);\n"
+    "#else\n"
     "    vec4 sums = oit_tail_sums(p, end - start);\n"
+    "#endif\n"
     "#endif\n"
     "    vec4 tail = oit_tail_light(sums);\n"
     "    vec3 sum = tail.rgb;\n"
@@ -1872,6 +2331,62 @@ static const char *const oit_i_shader_oit_tail_frag[] = {
     "    oit_out = vec4(sum, oit_light.w * through);\n"
     "#endif\n"
     "}\n",
+    0};
+static const char *const oit_i_shader_oit_tail_glsl[] = {
+    "#line 1\n"
+    "// For: oit_buffers.h\n"
+    "// The pixel buffer, and what a fragment adds to the tail: sums that do not depend on the order, in integers so that rounding\n"
+    "// does not either. The layers of a pixel are taken as mixed evenly: optical depths add, colours are weighted by them.\n"
+    "#if OIT_KEEPS && OIT_PASS == OIT_COUNT\n"
+    "layout(std430, binding = OIT_BINDING_PIXELS) coherent buffer oit_pixels { uint oit_pixel[]; };\n"
+    "#else\n"
+    "layout(std430, binding = OIT_BINDING_PIXELS) buffer oit_pixels { uint oit_pixel[]; };\n"
+    "#endif\n"
+    "\n"
+    "#if OIT_ASYNC || OIT_KEEPS\n"
+    "// Light and optical depth of one fragment: colours up to 4 and optical depths up to 11 make less than 64 each. By one chain of\n"
+    "// roundings, whichever shader asks.\n"
+    "vec4 oit_tail_amounts(vec4 color, uint blend, uint covered)\n"
+    "{\n"
+    "#if OIT_HAS_COVERAGE // the tail knows no samples: a fragment is as much thinner as it covers less of the pixel\n"
+    "    color *= vec4(vec3(OIT_PREMULTIPLIED == 1 ? OIT_SHARE(covered) : 1.0), OIT_SHARE(covered));\n"
+    "#endif\n"
+    "    OIT_PRECISE float thickness = min(-log(1.0 - min(color.a, 0.999999)), 11.0);\n"
+    "    vec3 c = clamp(color.rgb, 0.0, 4.0);\n"
+    "#if OIT_PREMULTIPLIED\n"
+    "    c = color.a > 0.0 ? min(c / color.a, vec3(4.0)) : c;\n"
+    "    float weight = color.a > 0.0 ? thickness : 1.0;\n"
+    "#else\n"
+    "    float weight = thickness;\n"
+    "#endif\n"
+    "#if OIT_HAS_BLEND\n"
+    "    if (blend == 1u) { // add\n"
+    "        weight = OIT_PREMULTIPLIED == 1 ? max(color.a, 1.0e-6) : color.a;\n"
+    "        thickness = 0.0;\n"
+    "    } else if (blend == 2u) { // multiply\n"
+    "        OIT_PRECISE float keep = 1.0 - color.a * (1.0 - min((c.r + c.g + c.b) / 3.0, 1.0));\n"
+    "        thickness = min(-log(max(keep, 1.0e-6)), 11.0);\n"
+    "        weight = 0.0;\n"
+    "    }\n"
+    "#endif\n"
+    "    OIT_PRECISE vec3 light = c * weight;\n"
+    "    return vec4(light, thickness);\n"
+    "}\n"
+    "\n"
+    "#if OIT_TAIL_WORDS == 6\n"
+    "// Where the count is not known before. In units of 2^-26, with 16 more bits by carries: how many there are follows from the\n"
+    "// sum alone. A fragment makes less than one, so that 65,535 fragments do not overflow.\n"
+    "void oit_add_to_tail(uint p, vec4 amounts)\n"
+    "{\n"
+    "    uvec4 parts = uvec4(amounts * 67108864.0 + 0.5);\n"
+    "    for (uint c = 0u; c < 4u; ++c) {\n"
+    "        uint before = atomicAdd(oit_pixel[OIT_TAIL(p) + c], parts[c]);\n"
+    "        if (before > 0xffffffffu - parts[c])\n"
+    "            atomicAdd(oit_pixel[OIT_TAIL(p) + 4u + (c >> 1u)], 1u << (16u * (c & 1u)));\n"
+    "    }\n"
+    "}\n"
+    "#endif\n"
+    "#endif\n",
     0};
 static const char *const oit_i_shader_oit_tops_comp[] = {
     "#line 1\n"
@@ -1895,9 +2410,10 @@ static const char *const oit_i_shader_oit_tops_comp[] = {
     "        before = oit_add(before, here);\n"
     "    }\n"
     "    if (self == 127u) {\n"
-    "        oit_pixel[OIT_START(oit_pool.x)] = before;\n"
+    "        oit_pixel[OIT_START(oit_pool.x)] = oit_add(before, oit_all_lost(before));\n"
     "        oit_pixel[OIT_TOTAL] = before;\n"
-    "        oit_pixel[OIT_NEEDED] = max(oit_pixel[OIT_NEEDED], before);\n"
+    "        if (OIT_STORE != OIT_PREDICT || !OIT_DIRECT)\n"
+    "            oit_pixel[OIT_NEEDED] = max(oit_pixel[OIT_NEEDED], before);\n"
     "    }\n"
     "}\n",
     0};
@@ -1923,6 +2439,7 @@ static const char *const oit_i_shader_oit_tops_comp[] = {
 #define OIT_I_GL_BUFFER_SIZE 0x8764u
 #define OIT_I_GL_BUFFER_UPDATE_BARRIER 0x00000200u
 #define OIT_I_GL_CLIP_DISTANCE0 0x3000u
+#define OIT_I_GL_COLOR_ATTACHMENT0 0x8CE0u
 #define OIT_I_GL_COLOR_LOGIC_OP 0x0BF2u
 #define OIT_I_GL_COLOR_WRITEMASK 0x0C23u
 #define OIT_I_GL_COMPILE_STATUS 0x8B81u
@@ -1931,6 +2448,8 @@ static const char *const oit_i_shader_oit_tops_comp[] = {
 #define OIT_I_GL_COPY_WRITE_BUFFER 0x8F37u
 #define OIT_I_GL_CULL_FACE 0x0B44u
 #define OIT_I_GL_CURRENT_PROGRAM 0x8B8Du
+#define OIT_I_GL_DEPTH 0x1801u
+#define OIT_I_GL_DEPTH_ATTACHMENT 0x8D00u
 #define OIT_I_GL_DEPTH_CLAMP 0x864Fu
 #define OIT_I_GL_DEPTH_FUNC 0x0B74u
 #define OIT_I_GL_DEPTH_RANGE 0x0B70u
@@ -1945,6 +2464,9 @@ static const char *const oit_i_shader_oit_tops_comp[] = {
 #define OIT_I_GL_EXTENSIONS 0x1F03u
 #define OIT_I_GL_FILL 0x1B02u
 #define OIT_I_GL_FRAGMENT_SHADER 0x8B30u
+#define OIT_I_GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME 0x8CD1u
+#define OIT_I_GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE 0x8CD0u
+#define OIT_I_GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LEVEL 0x8CD2u
 #define OIT_I_GL_FRAMEBUFFER_COMPLETE 0x8CD5u
 #define OIT_I_GL_FRONT_AND_BACK 0x0408u
 #define OIT_I_GL_FUNC_ADD 0x8006u
@@ -1969,6 +2491,9 @@ static const char *const oit_i_shader_oit_tops_comp[] = {
 #define OIT_I_GL_POLYGON_OFFSET_FILL 0x8037u
 #define OIT_I_GL_POLYGON_OFFSET_LINE 0x2A02u
 #define OIT_I_GL_POLYGON_OFFSET_POINT 0x2A01u
+#define OIT_I_GL_RENDERBUFFER 0x8D41u
+#define OIT_I_GL_RG32UI 0x823Cu
+#define OIT_I_GL_RGBA32UI 0x8D70u
 #define OIT_I_GL_RASTERIZER_DISCARD 0x8C89u
 #define OIT_I_GL_SAMPLES 0x80A9u
 #define OIT_I_GL_SAMPLE_ALPHA_TO_COVERAGE 0x809Eu
@@ -1987,6 +2512,9 @@ static const char *const oit_i_shader_oit_tops_comp[] = {
 #define OIT_I_GL_STENCIL_TEST 0x0B90u
 #define OIT_I_GL_SYNC_FLUSH_COMMANDS_BIT 0x0001u
 #define OIT_I_GL_SYNC_GPU_COMMANDS_COMPLETE 0x9117u
+#define OIT_I_GL_TEXTURE 0x1702u
+#define OIT_I_GL_TEXTURE_2D 0x0DE1u
+#define OIT_I_GL_TEXTURE_BINDING_2D 0x8069u
 #define OIT_I_GL_TRIANGLES 0x0004u
 #define OIT_I_GL_UNIFORM_BUFFER 0x8A11u
 #define OIT_I_GL_UNIFORM_BUFFER_BINDING 0x8A28u
@@ -2086,6 +2614,19 @@ typedef const char *const *oit_i_strings;
 
 #define OIT_I_GL_ES(X) X(void, DepthRangef, (float, float))
 
+/* OIT_STORE_FETCH alone. */
+#define OIT_I_GL_FETCH(X)                                                                                              \
+    X(void, BindTexture, (oit_i_u, oit_i_u))                                                                           \
+    X(void, DeleteFramebuffers, (int32_t, const oit_i_u *))                                                            \
+    X(void, DeleteTextures, (int32_t, const oit_i_u *))                                                                \
+    X(void, DrawBuffers, (int32_t, const oit_i_u *))                                                                   \
+    X(void, FramebufferRenderbuffer, (oit_i_u, oit_i_u, oit_i_u, oit_i_u))                                             \
+    X(void, FramebufferTexture2D, (oit_i_u, oit_i_u, oit_i_u, oit_i_u, int32_t))                                       \
+    X(void, GenFramebuffers, (int32_t, oit_i_u *))                                                                     \
+    X(void, GenTextures, (int32_t, oit_i_u *))                                                                         \
+    X(void, GetFramebufferAttachmentParameteriv, (oit_i_u, oit_i_u, oit_i_u, int32_t *))                               \
+    X(void, TexStorage2D, (oit_i_u, int32_t, oit_i_u, int32_t, int32_t))
+
 typedef void *oit_i_sync;
 
 /* Members are pasted names, because <windows.h> has a macro for one of them. */
@@ -2096,6 +2637,7 @@ typedef struct oit_i_gl {
     OIT_I_GL_DESKTOP(OIT_I_MEMBER)
     OIT_I_GL_INDEXED(OIT_I_MEMBER)
     OIT_I_GL_ES(OIT_I_MEMBER)
+    OIT_I_GL_FETCH(OIT_I_MEMBER)
 #undef OIT_I_MEMBER
 } oit_i_gl;
 
@@ -2107,6 +2649,7 @@ enum {
     OIT_I_FRAGMENTS,
     OIT_I_REPORT,
     OIT_I_UNIFORMS = OIT_I_REPORT + 3,
+    OIT_I_LIST, /* OIT_STORE_LINKED */
     OIT_I_PICKED,
     OIT_I_BUFFER_COUNT = OIT_I_PICKED + OIT_MAX_PICKS
 };
@@ -2132,9 +2675,14 @@ enum {
     OIT_I_PROGRAM_REPORT,
     OIT_I_PROGRAM_KEEP,
     OIT_I_PROGRAM_ARRANGE,
+    OIT_I_PROGRAM_PREDICT,
+    OIT_I_PROGRAM_SETTLE,
+    OIT_I_PROGRAM_GATHER,
     OIT_I_PROGRAM_COUNT,
     OIT_I_PROGRAM_FILL,
     OIT_I_PROGRAM_FILL_LIT,
+    OIT_I_PROGRAM_FIRST, /* OIT_STORE_FETCH */
+    OIT_I_PROGRAM_LAY,
     OIT_I_PROGRAM_COMPOSE, /* one a class, then that of the tail; all once more for the second draw */
     OIT_I_PROGRAM_SAMPLED = OIT_I_PROGRAM_COMPOSE + 2 * (OIT_I_CLASSES + 1), /* the same, sample by sample */
     OIT_I_PROGRAM_PICK = OIT_I_PROGRAM_SAMPLED + 2 * (OIT_I_CLASSES + 1),
@@ -2202,6 +2750,12 @@ typedef enum oit_i_step {
     OIT_I_STEP_TOPS,
     OIT_I_STEP_SPREAD,
     OIT_I_STEP_MEASURE, /* OIT_FIT_WAIT: totals to the report, and read */
+    OIT_I_STEP_PREDICT,
+    OIT_I_STEP_SETTLE,
+    OIT_I_STEP_GATHER,
+    OIT_I_STEP_FIRST, /* OIT_STORE_FETCH: its targets made empty; then, after each fill, */
+    OIT_I_STEP_LAY,
+    OIT_I_STEP_CHECK, /* OIT_FIT_WAIT: totals again, to see whether all that was stored before it was counted found place */
     OIT_I_STEP_FILL,
     OIT_I_STEP_FILLED, /* all that is stored of the last part, which waits for oit_compose */
     OIT_I_STEP_PICK,
@@ -2220,6 +2774,7 @@ typedef enum oit_i_step {
 typedef struct oit_i_list {
     unsigned char steps[OIT_I_MAX_STEPS];
     oit_i_step part_start;
+    int direct; /* 1: the fragments are stored before they are counted; 2: they are stored again */
 } oit_i_list;
 
 #define OIT_I_MAX_STRINGS 24
@@ -2242,23 +2797,30 @@ struct oit_context {
     int64_t sizes[OIT_I_BUFFER_COUNT]; /* bytes held */
     oit_i_block block;                 /* as uploaded */
     oit_i_u capacity;                  /* fragments that the pool holds */
+    oit_i_u places;                    /* that the runs of the frame heard of last would have taken */
+    int settled_width, settled_height; /* of the frame whose counts are in the pixel buffer; 0: none */
     int small_needs;                   /* reports in a row that needed much less */
     uint64_t frame_number;
     oit_i_u class_pixels[OIT_I_CLASSES];       /* of the image that was heard of last, by depth */
     oit_report report, pending[OIT_I_REPORTS]; /* known; by slot, what is not read back */
     oit_i_sync fences[OIT_I_REPORTS];
-    int slot; /* of the frame's report; -1: none is free */
+    int news;                   /* whether a report has come since the pool was last looked at */
+    int guessed[OIT_I_REPORTS]; /* whether the scan of that frame added up guesses */
+    int slot;                   /* of the frame's report; -1: none is free */
     oit_i_snapshot saved;
     oit_frame frame;
-    const oit_i_list *list; /* of the frame's steps */
+    oit_i_u fetch_framebuffer, fetch_targets[8]; /* OIT_STORE_FETCH: layers, and what has been seen */
+    int fetch_width, fetch_height, fetched;      /* of the targets; layers a pass */
+    int fetches, fetch;                          /* passes that the frame has; is in */
+    const oit_i_list *list;                      /* of the frame's steps */
     oit_i_step step;
     oit_result failure; /* of this frame */
     int rows, slab_y, slab_rows;
-    int layers;              /* k of the stores that keep the k nearest; 0 for the others */
-    int part[4];             /* x, y, width, height of the band within the slab */
-    oit_i_u part_start;      /* its first fragment */
-    oit_i_u needed, deepest; /* of the slab; OIT_FIT_WAIT */
-    int compose_index;
+    int layers;                  /* k of the stores that keep the k nearest; 0 for the others */
+    int part[4];                 /* x, y, width, height of the band within the slab */
+    oit_i_u part_start;          /* its first fragment */
+    oit_i_u needed, deepest;     /* of the slab; OIT_FIT_WAIT */
+    int compose_index, composes; /* the next draw; whether one was drawn of this part */
     oit_i_u bands;
     int in_frame, saved_state;
     oit_i_pick_slot picks[OIT_MAX_PICKS];
@@ -2353,8 +2915,9 @@ OIT_I_API const char *oit_result_string(oit_result result) {
 }
 
 OIT_I_API const char *oit_pass_kind_name(oit_pass_kind kind) {
-    static const char *const names[OIT_PASS_KIND_COUNT] = {"clear", "count",   "sum",  "tops",    "spread", "report",
-                                                           "fill",  "compose", "keep", "arrange", "pick",   "depth"};
+    static const char *const names[OIT_PASS_KIND_COUNT] = {
+        "clear", "count",   "sum",  "tops",  "spread",  "report", "fill",   "compose",
+        "keep",  "arrange", "pick", "depth", "predict", "settle", "gather", "lay"};
     return (unsigned)kind < (unsigned)OIT_PASS_KIND_COUNT ? names[kind] : "not a pass";
 }
 
@@ -2377,6 +2940,7 @@ static void oit_i_load(const oit_desc *desc, oit_i_gl *gl) {
     (void)desc;
     OIT_I_GL_QUERIES(OIT_I_TAKE)
     OIT_I_GL_REQUIRED(OIT_I_TAKE)
+    OIT_I_GL_FETCH(OIT_I_TAKE)
 #if defined(GL_VERSION_4_1)
     OIT_I_GL_DESKTOP(OIT_I_TAKE)
 #endif
@@ -2396,6 +2960,7 @@ static void oit_i_load(const oit_desc *desc, oit_i_gl *gl) {
     OIT_I_GL_DESKTOP(OIT_I_TAKE)
     OIT_I_GL_INDEXED(OIT_I_TAKE)
     OIT_I_GL_ES(OIT_I_TAKE)
+    OIT_I_GL_FETCH(OIT_I_TAKE)
 #undef OIT_I_TAKE
 }
 #endif
@@ -2417,6 +2982,9 @@ static oit_result oit_i_check_functions(oit_context *oit) {
         OIT_I_GL_ES(OIT_I_CHECK)
     } else {
         OIT_I_GL_DESKTOP(OIT_I_CHECK)
+    }
+    if (desc->store == OIT_STORE_FETCH) {
+        OIT_I_GL_FETCH(OIT_I_CHECK)
     }
     oit->has_indexed = 1;
     if (!oit->info.es) {
@@ -2588,6 +3156,15 @@ static int oit_i_keeps(const oit_desc *desc) {
     return desc->store == OIT_STORE_BUDGET || desc->store == OIT_STORE_BUCKETED;
 }
 
+/* Where the words of a record lie, in the order in which they are compared; 0: not there. */
+typedef struct oit_i_record {
+    int part, key, color, blend, normal, uv, coverage, host, link, words, lanes;
+    int sorted;         /* words up to colour, blend and coverage, by which runs are sorted and composed: 8 at most */
+    int coverage_shift; /* bits; coverage shares the word of blend where that has one */
+} oit_i_record;
+
+static oit_i_record oit_i_layout(const oit_desc *desc);
+
 static const char *oit_i_bad_member(const oit_desc *desc) {
 #ifndef OIT_GL_STATIC
     if (!desc->get_proc)
@@ -2605,8 +3182,14 @@ static const char *oit_i_bad_member(const oit_desc *desc) {
         return "color or fields has bits that are none";
     if ((unsigned)desc->store > (unsigned)OIT_STORE_FETCH)
         return "store is none of its enumerators";
-    if (desc->store != OIT_STORE_EXACT && !oit_i_keeps(desc))
-        return "store is one that this version does not have";
+    if (desc->headroom > 64)
+        return "headroom is more than 64 sixteenths";
+    if (desc->store == OIT_STORE_FETCH && desc->state == OIT_STATE_NONE)
+        return "OIT_STORE_FETCH draws into targets of its own, which OIT_STATE_NONE has no state for";
+    if (desc->store == OIT_STORE_FETCH && (desc->fields & OIT_FIELD_COVERAGE))
+        return "OIT_STORE_FETCH does not store coverage";
+    if (desc->store == OIT_STORE_FETCH && oit_i_layout(desc).words > 4)
+        return "OIT_STORE_FETCH has room for 16 bytes a fragment: depth, colour but not OIT_COLOR_FLOAT, and one word more";
     if (desc->budget_bytes < 0 || desc->layers < 0)
         return "budget_bytes or layers is negative";
     if (desc->bucket_depth_bits != 0 && desc->bucket_depth_bits != 16 && desc->bucket_depth_bits != 32)
@@ -2617,8 +3200,9 @@ static const char *oit_i_bad_member(const oit_desc *desc) {
         return "OIT_FIELD_COVERAGE does not go with OIT_STATE_NONE: samples are the target's, which is not asked there";
     if ((unsigned)desc->alpha_law > (unsigned)OIT_ALPHA_ADAPTIVE)
         return "alpha_law is none of its enumerators";
-    if (desc->alpha_law == OIT_ALPHA_ADAPTIVE && oit_i_keeps(desc))
-        return "OIT_ALPHA_ADAPTIVE goes with stores that keep every fragment";
+    if (desc->alpha_law == OIT_ALPHA_ADAPTIVE && desc->store != OIT_STORE_EXACT &&
+        ((desc->store != OIT_STORE_PREDICT && desc->store != OIT_STORE_LINKED) || desc->fit == OIT_FIT_ASYNC))
+        return "OIT_ALPHA_ADAPTIVE goes with OIT_STORE_EXACT, and with PREDICT or LINKED where they wait";
     if (desc->sample_order && !(desc->fields & OIT_FIELD_COVERAGE))
         return "sample_order goes with OIT_FIELD_COVERAGE";
     if (desc->host_words < 0 || desc->host_words > OIT_MAX_HOST_WORDS)
@@ -2871,16 +3455,16 @@ static void oit_i_restore(const oit_context *oit, const oit_i_snapshot *saved) {
     }
 }
 
-static void oit_i_mask_colors(const oit_context *oit, int first) {
-    unsigned char on = (unsigned char)first;
+static void oit_i_mask_colors(const oit_context *oit, int write) {
+    unsigned char all = write == 2, on = write != 0;
     int i;
     if (!oit->has_indexed) {
-        oit->gl.gl_ColorMask(on, on, on, 0);
+        oit->gl.gl_ColorMask(on, on, on, all);
         return;
     }
     for (i = 0; i < oit->draw_buffers; ++i) {
-        on = (unsigned char)(i == 0 && first);
-        oit->gl.gl_ColorMaski((oit_i_u)i, on, on, on, 0);
+        on = (unsigned char)(all || (i == 0 && write));
+        oit->gl.gl_ColorMaski((oit_i_u)i, on, on, on, all);
     }
 }
 
@@ -2959,13 +3543,6 @@ static void oit_i_define(oit_i_text *text, const char *name, int64_t value) {
     oit_i_put(text, "\n");
 }
 
-/* Where the words of a record lie, in the order in which they are compared; 0: not there. */
-typedef struct oit_i_record {
-    int part, key, color, blend, normal, uv, coverage, host, words, lanes;
-    int sorted;         /* words up to colour, blend and coverage, by which runs are sorted and composed: 8 at most */
-    int coverage_shift; /* bits; coverage shares the word of blend where that has one */
-} oit_i_record;
-
 static oit_i_record oit_i_layout(const oit_desc *desc) {
     oit_i_record at;
     int next = 1;
@@ -2991,10 +3568,25 @@ static oit_i_record oit_i_layout(const oit_desc *desc) {
     }
     at.host = next;
     next += desc->host_words;
+    if (desc->store == OIT_STORE_LINKED)
+        at.link = next++;
     /* In vectors, which drivers move at once: of four words, or of two where that saves memory. */
     at.words = (next + 1) / 2 * 2;
     at.lanes = at.words % 4 == 0 ? 4 : 2;
     return at;
+}
+
+/* Words a pixel that the store has of its own, and those of the tail: shaders/oit_frame_block.glsl. */
+static int oit_i_own_words(const oit_desc *desc) {
+    return desc->store == OIT_STORE_FETCH ? 11 : desc->store == OIT_STORE_PREDICT || desc->store == OIT_STORE_LINKED;
+}
+
+static int oit_i_tail_words(const oit_desc *desc) {
+    return oit_i_keeps(desc)                ? 6
+           : desc->fit == OIT_FIT_WAIT      ? 0
+           : desc->store == OIT_STORE_FETCH ? 0
+           : desc->store == OIT_STORE_EXACT ? 4
+                                            : 6;
 }
 
 static int oit_i_key_bits(const oit_desc *desc) {
@@ -3016,6 +3608,8 @@ static void oit_i_write_preamble(const oit_desc *desc, int es, char *at, size_t 
     oit_i_record record = oit_i_layout(desc);
     if (desc->fields & OIT_FIELD_COVERAGE) /* extensions come before all else */
         oit_i_put_extensions(&text, desc, es);
+    if (desc->store == OIT_STORE_FETCH)
+        oit_i_put(&text, "#extension GL_EXT_shader_framebuffer_fetch : require\n");
     if (es)
         oit_i_put(&text, "precision highp float;\nprecision highp int;\n");
     oit_i_define(&text, "OIT_BINDING_PIXELS", desc->first_storage_binding + OIT_I_PIXELS);
@@ -3048,10 +3642,15 @@ static void oit_i_write_preamble(const oit_desc *desc, int es, char *at, size_t 
     oit_i_define(&text, "OIT_AT_COVERAGE", record.coverage);
     oit_i_define(&text, "OIT_COVERAGE_SHIFT", record.coverage_shift);
     oit_i_define(&text, "OIT_AT_HOST", record.host);
+    oit_i_define(&text, "OIT_AT_LINK", record.link);
     oit_i_define(&text, "OIT_COLOR", (int)desc->color);
     oit_i_define(&text, "OIT_STORE", (int)desc->store);
     oit_i_define(&text, "OIT_KEEPS", oit_i_keeps(desc));
     oit_i_define(&text, "OIT_KEY_BITS", oit_i_key_bits(desc));
+    oit_i_define(&text, "OIT_OWN_WORDS", oit_i_own_words(desc));
+    oit_i_define(&text, "OIT_TAIL_WORDS", oit_i_tail_words(desc));
+    oit_i_define(&text, "OIT_HEADROOM", desc->headroom == 0 ? 2 : desc->headroom < 0 ? 0 : desc->headroom);
+    oit_i_put(&text, es ? "#define OIT_PRECISE\n" : "#define OIT_PRECISE precise\n");
     oit_i_put(&text, "#define OIT_EXACT 0\n#define OIT_PREDICT 1\n#define OIT_BUDGET 2\n");
     oit_i_put(&text, "#define OIT_LINKED 3\n#define OIT_BUCKETED 4\n#define OIT_FETCH 5\n");
     oit_i_put(&text, "#define OIT_COLOR_8 0\n#define OIT_COLOR_HALF 1\n#define OIT_COLOR_FLOAT 2\n");
@@ -3069,7 +3668,8 @@ static void oit_i_add_preamble(oit_i_source *source, int es, const char *preambl
 }
 
 /* What a host's shader begins with, and the built-in surface programs too. */
-static void oit_i_host_source(oit_i_source *source, oit_stage stage, int fill, int es, const char *preamble) {
+static void oit_i_host_source(oit_i_source *source, oit_stage stage, int fill, const oit_desc *desc, int es,
+                              const char *preamble) {
     oit_i_add_preamble(source, es, preamble);
     oit_i_add(source, fill ? "#define OIT_PASS 1\n" : "#define OIT_PASS 0\n");
     if (stage == OIT_VERTEX) {
@@ -3077,6 +3677,10 @@ static void oit_i_host_source(oit_i_source *source, oit_stage stage, int fill, i
         return;
     }
     oit_i_add_chunks(source, oit_i_shader_oit_frame_block_glsl);
+    oit_i_add_chunks(source, oit_i_shader_oit_color_glsl);
+    oit_i_add_chunks(source, oit_i_shader_oit_tail_glsl);
+    if (desc->store == OIT_STORE_FETCH && fill)
+        oit_i_add_chunks(source, oit_i_shader_oit_fetch_glsl);
     oit_i_add_chunks(source, oit_i_shader_oit_store_glsl);
 }
 
@@ -3167,8 +3771,13 @@ static void oit_i_put_selection(oit_i_text *text, int size) {
     oit_i_put(text, "}\n");
 }
 
+static void oit_i_add_records(oit_i_source *source) {
+    oit_i_add_chunks(source, oit_i_shader_oit_color_glsl);
+    oit_i_add_chunks(source, oit_i_shader_oit_record_glsl);
+}
+
 /* scratch: OIT_I_NETWORK_CAPACITY characters, for text that is made here. */
-static void oit_i_compose_source(oit_i_source *source, int index, int mode, int sampled, char *scratch) {
+static void oit_i_compose_source(oit_i_source *source, int index, int mode, int sampled, int fetch, char *scratch) {
     oit_i_text text = oit_i_text_in(scratch, OIT_I_NETWORK_CAPACITY);
     int tail = index == OIT_I_CLASSES, deep = index == OIT_I_CLASSES - 1;
     size_t network;
@@ -3182,10 +3791,10 @@ static void oit_i_compose_source(oit_i_source *source, int index, int mode, int 
     oit_i_add(source, scratch);
     oit_i_add_chunks(source, oit_i_shader_oit_frame_block_glsl);
     if (!tail)
-        oit_i_add_chunks(source, oit_i_shader_oit_record_glsl);
+        oit_i_add_records(source);
     oit_i_add_chunks(source, oit_i_shader_oit_behind_glsl);
     if (tail) {
-        oit_i_add_chunks(source, oit_i_shader_oit_tail_frag);
+        oit_i_add_chunks(source, fetch ? oit_i_shader_oit_laid_frag : oit_i_shader_oit_tail_frag);
         return;
     }
     oit_i_add_chunks(source, oit_i_shader_oit_compose_glsl);
@@ -3200,21 +3809,33 @@ static void oit_i_compose_source(oit_i_source *source, int index, int mode, int 
 }
 
 /* In the order of OIT_I_PROGRAM_*. */
-static const oit_i_strings oit_i_kernels[] = {oit_i_shader_oit_clear_comp,  oit_i_shader_oit_sum_comp,
-                                              oit_i_shader_oit_tops_comp,   oit_i_shader_oit_spread_comp,
-                                              oit_i_shader_oit_report_comp, oit_i_shader_oit_keep_comp,
-                                              oit_i_shader_oit_arrange_comp};
+static const oit_i_strings oit_i_kernels[] = {oit_i_shader_oit_clear_comp,   oit_i_shader_oit_sum_comp,
+                                              oit_i_shader_oit_tops_comp,    oit_i_shader_oit_spread_comp,
+                                              oit_i_shader_oit_report_comp,  oit_i_shader_oit_keep_comp,
+                                              oit_i_shader_oit_arrange_comp, oit_i_shader_oit_predict_comp,
+                                              oit_i_shader_oit_settle_comp,  oit_i_shader_oit_gather_comp};
 
-static void oit_i_compute_source(oit_i_source *source, int program) {
+static void oit_i_compute_source(oit_i_source *source, int program, int async) {
+    int settles = program == OIT_I_PROGRAM_SETTLE, gathers = program == OIT_I_PROGRAM_GATHER;
     if (program == OIT_I_PROGRAM_TOPS || program == OIT_I_PROGRAM_SPREAD)
         oit_i_add(source, "#define OIT_SCANS 1\n");
+    if (settles || gathers)
+        oit_i_add(source, "#define OIT_SETTLES 1\n");
+    if (gathers) /* the list has the place that the report has at other times */
+        oit_i_add(source, "#define OIT_BINDING_RECORDS OIT_BINDING_REPORT\n");
     oit_i_add_chunks(source, oit_i_shader_oit_frame_block_glsl);
     if (program == OIT_I_PROGRAM_ARRANGE) {
         oit_i_add(source, "#define OIT_ARRANGES 1\n");
-        oit_i_add_chunks(source, oit_i_shader_oit_record_glsl);
+        oit_i_add_records(source);
         oit_i_add_chunks(source, oit_i_shader_oit_buckets_glsl);
     } else {
         oit_i_add_chunks(source, oit_i_shader_oit_scan_glsl);
+    }
+    if (settles || gathers) {
+        oit_i_add_chunks(source, oit_i_shader_oit_color_glsl);
+        oit_i_add_chunks(source, oit_i_shader_oit_tail_glsl);
+        if (async || gathers)
+            oit_i_add_chunks(source, oit_i_shader_oit_record_glsl);
     }
     oit_i_add_chunks(source, oit_i_kernels[program]);
 }
@@ -3227,12 +3848,24 @@ static int oit_i_is_surface(int program) {
     return program >= OIT_I_PROGRAM_COUNT && program <= OIT_I_PROGRAM_FILL_LIT;
 }
 
+/* OIT_STORE_FETCH: what reads and changes the layers of its targets. */
+static void oit_i_lay_source(oit_i_source *source, int program) {
+    oit_i_add(source, "#define OIT_SETTLES 1\n#define OIT_CLASS 1\n#define OIT_DEEP 0\n#define OIT_COVERED 0\n");
+    oit_i_add(source, program == OIT_I_PROGRAM_FIRST ? "#define OIT_FIRST 1\n" : "#define OIT_FIRST 0\n");
+    oit_i_add_chunks(source, oit_i_shader_oit_frame_block_glsl);
+    oit_i_add_chunks(source, oit_i_shader_oit_color_glsl);
+    oit_i_add_chunks(source, oit_i_shader_oit_tail_glsl);
+    oit_i_add_chunks(source, oit_i_shader_oit_compose_glsl);
+    oit_i_add_chunks(source, oit_i_shader_oit_fetch_glsl);
+    oit_i_add_chunks(source, oit_i_shader_oit_lay_frag);
+}
+
 /* Picking, and the depth of the composite: records in their order, without networks. */
 static void oit_i_ordered_source(oit_i_source *source, int program, const oit_desc *desc) {
     oit_i_add(source, "#define OIT_CLASS 1\n#define OIT_DEEP 0\n");
     oit_i_add(source, desc->fields & OIT_FIELD_COVERAGE ? "#define OIT_COVERED 2\n" : "#define OIT_COVERED 0\n");
     oit_i_add_chunks(source, oit_i_shader_oit_frame_block_glsl);
-    oit_i_add_chunks(source, oit_i_shader_oit_record_glsl);
+    oit_i_add_records(source);
     oit_i_add_chunks(source, oit_i_shader_oit_ordered_glsl);
     if (program == OIT_I_PROGRAM_DEPTH)
         oit_i_add_chunks(source, oit_i_shader_oit_compose_glsl);
@@ -3246,7 +3879,7 @@ static void oit_i_program_source(oit_i_source *source, int program, oit_stage st
     int index = program - (sampled ? OIT_I_PROGRAM_SAMPLED : OIT_I_PROGRAM_COMPOSE);
     if (oit_i_is_surface(program)) {
         int fill = program != OIT_I_PROGRAM_COUNT, lit = program == OIT_I_PROGRAM_FILL_LIT;
-        oit_i_host_source(source, stage, fill, es, preamble);
+        oit_i_host_source(source, stage, fill, desc, es, preamble);
         oit_i_add(source, lit ? "#define OIT_LIT 1\n" : "#define OIT_LIT 0\n");
         oit_i_add(source, lit || (fill && (desc->fields & OIT_FIELD_NORMAL)) ? "#define OIT_WANTS_NORMAL 1\n"
                                                                              : "#define OIT_WANTS_NORMAL 0\n");
@@ -3254,16 +3887,19 @@ static void oit_i_program_source(oit_i_source *source, int program, oit_stage st
         return;
     }
     oit_i_add_preamble(source, es, preamble);
-    if (program == OIT_I_PROGRAM_PICK || (program == OIT_I_PROGRAM_DEPTH && stage == OIT_FRAGMENT)) {
+    if ((program == OIT_I_PROGRAM_FIRST || program == OIT_I_PROGRAM_LAY) && stage == OIT_FRAGMENT) {
+        oit_i_lay_source(source, program);
+    } else if (program == OIT_I_PROGRAM_PICK || (program == OIT_I_PROGRAM_DEPTH && stage == OIT_FRAGMENT)) {
         oit_i_ordered_source(source, program, desc);
     } else if (oit_i_is_compute(program)) {
-        oit_i_compute_source(source, program);
+        oit_i_compute_source(source, program, desc->fit == OIT_FIT_ASYNC);
     } else if (stage == OIT_VERTEX) {
         oit_i_add_chunks(source, oit_i_shader_oit_fullscreen_vert);
     } else {
         if (desc->fields & OIT_FIELD_BLEND)
             mode = !es ? OIT_I_MODE_DUAL : index > OIT_I_CLASSES ? OIT_I_MODE_LIGHT : OIT_I_MODE_FILTER;
-        oit_i_compose_source(source, index % (OIT_I_CLASSES + 1), mode, sampled, scratch);
+        oit_i_compose_source(source, index % (OIT_I_CLASSES + 1), mode, sampled, desc->store == OIT_STORE_FETCH,
+                             scratch);
     }
 }
 
@@ -3353,7 +3989,7 @@ static void oit_i_assemble_host_sources(oit_context *oit) {
     int stage, fill;
     for (stage = 0; stage < (int)OIT_STAGE_COUNT; ++stage) {
         for (fill = 0; fill < 2; ++fill) {
-            oit_i_host_source(&source, (oit_stage)stage, fill, oit->info.es, oit->preamble);
+            oit_i_host_source(&source, (oit_stage)stage, fill, &oit->desc, oit->info.es, oit->preamble);
             /* The host's own text counts its lines from 1. */
             oit_i_add(&source, "#line 1\n");
             memcpy(oit->strings[stage][fill], source.strings, (size_t)source.count * sizeof source.strings[0]);
@@ -3394,8 +4030,26 @@ static void oit_i_limit_blocks(oit_context *oit) {
         oit->desc.ceiling_bytes = (int64_t)512 << 20;
     if (oit->desc.ceiling_bytes > most)
         oit->desc.ceiling_bytes = most;
-    if (oit->desc.budget_bytes == 0)
-        oit->desc.budget_bytes = (int64_t)256 << 20;
+    if (oit->desc.budget_bytes == 0) /* more than a block would cut the image into slabs, each drawn twice */
+        oit->desc.budget_bytes = most < (int64_t)256 << 20 ? most : (int64_t)256 << 20;
+}
+
+/* OIT_STORE_FETCH: seven layers a pass where there are eight draw buffers, else three; a block of storage is among a fragment
+   shader's outputs too. Fetching that takes barriers is of no use: fragments of one draw meet in a pixel. */
+static oit_result oit_i_find_fetch(oit_context *oit) {
+    oit_i_text text =
+        oit_i_text_in(oit->preamble + strlen(oit->preamble), sizeof oit->preamble - strlen(oit->preamble));
+    oit_i_message message;
+    oit->fetched = 7;
+    if (oit_i_limit(oit, OIT_I_GL_MAX_DRAW_BUFFERS, 8) < 8 || oit->info.combined_outputs < 9)
+        oit->fetched = 3;
+    oit_i_define(&text, "OIT_FETCHED", oit->fetched);
+    if (oit_i_has_extension(&oit->gl, "GL_EXT_shader_framebuffer_fetch") &&
+        oit->info.combined_outputs > oit->fetched + 1)
+        return OIT_OK;
+    oit_i_say(&message, "oit_create",
+              "OIT_STORE_FETCH needs GL_EXT_shader_framebuffer_fetch and five outputs of a shader");
+    return oit_i_refuse(&oit->desc, OIT_NO_FETCH, &message);
 }
 
 static oit_result oit_i_set_up(oit_context *oit) {
@@ -3416,6 +4070,8 @@ static oit_result oit_i_set_up(oit_context *oit) {
     oit_i_limit_blocks(oit);
     oit->info.fragment_bytes = 4 * oit_i_layout(&oit->desc).words;
     oit_i_write_preamble(&oit->desc, oit->info.es, oit->preamble, sizeof oit->preamble);
+    if (oit->desc.store == OIT_STORE_FETCH && oit_i_find_fetch(oit) != OIT_OK)
+        return OIT_NO_FETCH;
     oit_i_assemble_host_sources(oit);
     return OIT_OK;
 }
@@ -3467,6 +4123,18 @@ static void oit_i_drop_fences(oit_context *oit) {
     }
 }
 
+static void oit_i_drop_fetch(oit_context *oit) {
+    int i;
+    if (oit->fetch_framebuffer)
+        oit->gl.gl_DeleteFramebuffers(1, &oit->fetch_framebuffer);
+    for (i = 0; i < 8; ++i)
+        if (oit->fetch_targets[i])
+            oit->gl.gl_DeleteTextures(1, &oit->fetch_targets[i]);
+    memset(oit->fetch_targets, 0, sizeof oit->fetch_targets);
+    oit->fetch_framebuffer = 0;
+    oit->fetch_width = oit->fetch_height = 0;
+}
+
 static void oit_i_drop_buffers(oit_context *oit) {
     int i;
     oit_i_drop_fences(oit);
@@ -3476,7 +4144,9 @@ static void oit_i_drop_buffers(oit_context *oit) {
         oit->buffers[i] = 0;
         oit->sizes[i] = 0;
     }
+    oit_i_drop_fetch(oit);
     oit->capacity = 0;
+    oit->settled_width = 0;
     memset(oit->picks, 0, sizeof oit->picks);
 }
 
@@ -3502,6 +4172,10 @@ OIT_I_API void oit_destroy(oit_context *oit) {
     oit->desc.free_fn(oit, oit->desc.alloc_user);
 }
 
+static int64_t oit_i_fetch_bytes(const oit_context *oit, int64_t width, int64_t height) {
+    return width * height * (16 * oit->fetched + 8);
+}
+
 OIT_I_API oit_info oit_get_info(const oit_context *oit) {
     oit_info info;
     int i;
@@ -3511,6 +4185,7 @@ OIT_I_API oit_info oit_get_info(const oit_context *oit) {
     info = oit->info;
     for (i = 0; i < OIT_I_BUFFER_COUNT; ++i)
         info.bytes += (uint64_t)oit->sizes[i];
+    info.bytes += (uint64_t)oit_i_fetch_bytes(oit, oit->fetch_width, oit->fetch_height);
     return info;
 }
 
@@ -3573,8 +4248,8 @@ static int64_t oit_i_pixel_bytes(const oit_context *oit, int64_t pixels) {
     int64_t words = OIT_I_HEADER_WORDS + 2 * pixels + 2 + (int64_t)oit_i_blocks(pixels);
     if (oit_i_keeps(&oit->desc))
         words += (8 + (int64_t)oit->layers * oit_i_kept_words(&oit->desc)) * pixels;
-    else if (oit->desc.fit == OIT_FIT_ASYNC)
-        words += 4 * pixels;
+    else
+        words += (oit_i_own_words(&oit->desc) + oit_i_tail_words(&oit->desc)) * pixels;
     if (oit->desc.fields & OIT_FIELD_COVERAGE)
         words += pixels;
     return 4 * words;
@@ -3599,8 +4274,15 @@ static int oit_i_rows_at_once(const oit_context *oit, int width, int height) {
     return low;
 }
 
+/* That a fragment takes of the ceiling. */
 static int64_t oit_i_record_bytes(const oit_context *oit) {
-    return oit->info.fragment_bytes;
+    return oit->info.fragment_bytes * (oit->desc.store == OIT_STORE_LINKED ? 2 : 1);
+}
+
+static int oit_i_resize_pool(oit_context *oit, int64_t fragments) {
+    int64_t bytes = fragments * oit->info.fragment_bytes;
+    return oit_i_resize(oit, OIT_I_FRAGMENTS, bytes, OIT_I_GL_DYNAMIC_COPY) &&
+           (oit->desc.store != OIT_STORE_LINKED || oit_i_resize(oit, OIT_I_LIST, bytes, OIT_I_GL_DYNAMIC_COPY));
 }
 
 /* A pool for so many fragments, or, where that is over the ceiling or there is no memory for it, for fewer. */
@@ -3608,7 +4290,7 @@ static oit_result oit_i_set_capacity(oit_context *oit, uint64_t wanted, const ch
     int64_t record = oit_i_record_bytes(oit), most = oit->desc.ceiling_bytes / record;
     int64_t fragments = wanted > (uint64_t)most ? most : (int64_t)wanted;
     for (; fragments > 0; fragments /= 2) {
-        if (oit_i_resize(oit, OIT_I_FRAGMENTS, fragments * record, OIT_I_GL_DYNAMIC_COPY)) {
+        if (oit_i_resize_pool(oit, fragments)) {
             oit->capacity = (oit_i_u)fragments;
             oit->small_needs = 0;
             return OIT_OK;
@@ -3653,6 +4335,79 @@ static oit_result oit_i_make_places(oit_context *oit, int64_t pixels) {
     return OIT_OK;
 }
 
+/* OIT_STORE_FETCH: targets as large as the host's up to the corner of the viewport, so that its depth can stand beside them. */
+static oit_result oit_i_make_targets(oit_context *oit, int width, int height) {
+    const oit_i_gl *gl = &oit->gl;
+    oit_i_u buffers[8];
+    int32_t texture = 0;
+    int i;
+    if (oit_i_fetch_bytes(oit, width, height) > oit->desc.ceiling_bytes)
+        return oit_i_fail(&oit->desc, OIT_TOO_LARGE, "oit_begin", "the layers of a pass are over the ceiling");
+    oit_i_drop_fetch(oit);
+    gl->gl_GetIntegerv(OIT_I_GL_TEXTURE_BINDING_2D, &texture);
+    gl->gl_GenFramebuffers(1, &oit->fetch_framebuffer);
+    gl->gl_BindFramebuffer(OIT_I_GL_DRAW_FRAMEBUFFER, oit->fetch_framebuffer);
+    for (i = 0; i <= oit->fetched; ++i) {
+        buffers[i] = OIT_I_GL_COLOR_ATTACHMENT0 + (oit_i_u)i;
+        gl->gl_GenTextures(1, &oit->fetch_targets[i]);
+        gl->gl_BindTexture(OIT_I_GL_TEXTURE_2D, oit->fetch_targets[i]);
+        gl->gl_TexStorage2D(OIT_I_GL_TEXTURE_2D, 1, i < oit->fetched ? OIT_I_GL_RGBA32UI : OIT_I_GL_RG32UI, width,
+                            height);
+        gl->gl_FramebufferTexture2D(OIT_I_GL_DRAW_FRAMEBUFFER, buffers[i], OIT_I_GL_TEXTURE_2D, oit->fetch_targets[i],
+                                    0);
+    }
+    gl->gl_DrawBuffers(oit->fetched + 1, buffers);
+    gl->gl_BindTexture(OIT_I_GL_TEXTURE_2D, (oit_i_u)texture);
+    oit->fetch_width = width;
+    oit->fetch_height = height;
+    return OIT_OK;
+}
+
+/* The depth of the host's framebuffer becomes that of ours, where it has one. It may be another each frame. */
+static oit_result oit_i_share_depth(oit_context *oit) {
+    const oit_i_gl *gl = &oit->gl;
+    oit_i_u where = oit->frame.framebuffer ? OIT_I_GL_DEPTH_ATTACHMENT : OIT_I_GL_DEPTH;
+    int32_t type = 0, name = 0, level = 0;
+    gl->gl_BindFramebuffer(OIT_I_GL_DRAW_FRAMEBUFFER, oit->frame.framebuffer);
+    gl->gl_GetFramebufferAttachmentParameteriv(OIT_I_GL_DRAW_FRAMEBUFFER, where,
+                                               OIT_I_GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, &type);
+    if (type != 0 && where == OIT_I_GL_DEPTH)
+        return oit_i_fail(&oit->desc, OIT_NO_FETCH, "oit_begin",
+                          "OIT_STORE_FETCH cannot share the depth of the default framebuffer; draw into another one");
+    if (type != 0)
+        gl->gl_GetFramebufferAttachmentParameteriv(OIT_I_GL_DRAW_FRAMEBUFFER, where,
+                                                   OIT_I_GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME, &name);
+    if (type == (int32_t)OIT_I_GL_TEXTURE)
+        gl->gl_GetFramebufferAttachmentParameteriv(OIT_I_GL_DRAW_FRAMEBUFFER, where,
+                                                   OIT_I_GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LEVEL, &level);
+    gl->gl_BindFramebuffer(OIT_I_GL_DRAW_FRAMEBUFFER, oit->fetch_framebuffer);
+    if (type == (int32_t)OIT_I_GL_TEXTURE)
+        gl->gl_FramebufferTexture2D(OIT_I_GL_DRAW_FRAMEBUFFER, OIT_I_GL_DEPTH_ATTACHMENT, OIT_I_GL_TEXTURE_2D,
+                                    (oit_i_u)name, level);
+    else
+        gl->gl_FramebufferRenderbuffer(OIT_I_GL_DRAW_FRAMEBUFFER, OIT_I_GL_DEPTH_ATTACHMENT, OIT_I_GL_RENDERBUFFER,
+                                       (oit_i_u)name);
+    return OIT_OK;
+}
+
+static oit_result oit_i_make_fetch(oit_context *oit) {
+    int width = oit->frame.x + oit->frame.width, height = oit->frame.y + oit->frame.height;
+    oit_result result = OIT_OK;
+    if (oit->fetch_width < width || oit->fetch_height < height)
+        result = oit_i_make_targets(oit, width > oit->fetch_width ? width : oit->fetch_width,
+                                    height > oit->fetch_height ? height : oit->fetch_height);
+    if (result == OIT_OK)
+        result = oit_i_share_depth(oit);
+    if (result != OIT_OK)
+        return result;
+    if (oit->gl.gl_CheckFramebufferStatus(OIT_I_GL_DRAW_FRAMEBUFFER) == OIT_I_GL_FRAMEBUFFER_COMPLETE)
+        return OIT_OK;
+    oit_i_drop_fetch(oit);
+    return oit_i_fail(
+        &oit->desc, OIT_OUT_OF_MEMORY, "oit_begin",
+        "no memory for the layers of a pass, or the target's depth is neither a renderbuffer nor a 2D texture");
+}
+
 static oit_result oit_i_make_buffers(oit_context *oit) {
     int64_t pixels = (int64_t)oit->frame.width * oit->rows, bytes = oit_i_pixel_bytes(oit, pixels);
     int i;
@@ -3665,6 +4420,8 @@ static oit_result oit_i_make_buffers(oit_context *oit) {
             return oit_i_fail(&oit->desc, OIT_OUT_OF_MEMORY, "oit_begin", "no memory for the reports");
     if (oit_i_keeps(&oit->desc))
         return oit_i_make_places(oit, pixels);
+    if (oit->desc.store == OIT_STORE_FETCH)
+        return oit_i_make_fetch(oit);
     if (oit->desc.fit == OIT_FIT_WAIT && oit->capacity)
         return OIT_OK;
     if (!oit->capacity)
@@ -3698,9 +4455,18 @@ static int oit_i_fence_passed(const oit_context *oit, oit_i_sync fence, int wait
     return 0;
 }
 
-/* Takes the reports whose frames are finished. The target must be borrowed. Returns whether one was new. */
-static int oit_i_take_reports(oit_context *oit, int wait) {
-    int slot, news = 0;
+/* OIT_STORE_PREDICT: what the pool should hold. What was counted takes half of it in the next frame, until more is known:
+   of few layers a run is twice as long as needed. */
+static void oit_i_note_places(oit_context *oit, const oit_i_u totals[OIT_I_HEADER_WORDS], int guessed) {
+    if (oit->desc.store != OIT_STORE_PREDICT)
+        oit->places = totals[0];
+    else
+        oit->places = guessed ? totals[5] : totals[0] > 0x7fffffffu ? 0xffffffffu : 2 * totals[0];
+}
+
+/* Takes the reports whose frames are finished. The target must be borrowed. */
+static void oit_i_take_reports(oit_context *oit, int wait) {
+    int slot;
     for (slot = 0; slot < OIT_I_REPORTS; ++slot) {
         oit_i_u totals[OIT_I_HEADER_WORDS];
         if (!oit->fences[slot] || !oit_i_fence_passed(oit, oit->fences[slot], wait))
@@ -3715,10 +4481,10 @@ static int oit_i_take_reports(oit_context *oit, int wait) {
         oit->report.lost_pixels = totals[2];
         oit->report.lost = totals[3];
         oit->report.extra = totals[4];
+        oit_i_note_places(oit, totals, oit->guessed[slot]);
         memcpy(oit->class_pixels, totals + 8, sizeof oit->class_pixels);
-        news = 1;
+        oit->news = 1;
     }
-    return news;
 }
 
 OIT_I_API oit_result oit_get_report(oit_context *oit, oit_report *report) {
@@ -3756,6 +4522,9 @@ static oit_result oit_i_check_frame(oit_context *oit, const oit_frame *frame) {
     if (frame->depth == OIT_DEPTH_THRESHOLD && !(oit_i_all_finite(&frame->depth_threshold, 1) &&
                                                  frame->depth_threshold > 0.0f && frame->depth_threshold <= 1.0f))
         return oit_i_fail(&oit->desc, OIT_INVALID_ARGUMENT, "oit_begin", "frame.depth_threshold is not in ]0,1]");
+    if (frame->depth != OIT_DEPTH_NONE && oit->desc.store == OIT_STORE_FETCH)
+        return oit_i_fail(&oit->desc, OIT_INVALID_ARGUMENT, "oit_begin",
+                          "frame.depth: OIT_STORE_FETCH keeps no layers");
     if (frame->width < 0 || frame->height < 0)
         return oit_i_fail(&oit->desc, OIT_INVALID_ARGUMENT, "oit_begin", "frame.width or frame.height is negative");
     if (frame->width > oit->max_viewport[0] || frame->height > oit->max_viewport[1])
@@ -3865,7 +4634,9 @@ static oit_i_block oit_i_make_block(const oit_context *oit) {
     block.pool[2] = oit->capacity;
     block.pool[3] = oit_i_blocks(pixels);
     block.step[0] = oit->slab_y == 0;
-    block.step[3] = (oit_i_u)oit->layers;
+    block.step[3] = (oit_i_u)(oit_i_keeps(&oit->desc)              ? oit->layers
+                              : oit->desc.store == OIT_STORE_FETCH ? (oit->desc.fit == OIT_FIT_ASYNC ? oit->fetches : 0)
+                                                                   : oit->list->direct);
     oit_i_choose_programs(oit, &block);
     oit_i_unit_vector(block.light, frame->light);
     block.light[3] = weight == 0.0f ? 1.0f : weight < 0.0f ? 0.0f : weight > 1.0f ? 1.0f : weight;
@@ -3890,22 +4661,44 @@ static int oit_i_compose_draws(const oit_context *oit) {
     return (oit->samples > 1 ? 2 : 1) * oit_i_pixel_draws(oit);
 }
 
+static int oit_i_is_tail(int program) {
+    return program >= OIT_I_PROGRAM_COMPOSE && program < OIT_I_PROGRAM_SAMPLED &&
+           (program - OIT_I_PROGRAM_COMPOSE) % (OIT_I_CLASSES + 1) == OIT_I_CLASSES;
+}
+
 /* Whether the store has passes for that program. */
-static int oit_i_uses_program(const oit_context *oit, int program) {
-    int draw = program - OIT_I_PROGRAM_COMPOSE, keeps = oit_i_keeps(&oit->desc);
-    int sampled = program >= OIT_I_PROGRAM_SAMPLED;
+static int oit_i_has_program(const oit_desc *desc, int program) {
+    int keeps = oit_i_keeps(desc);
     if (program >= OIT_I_PROGRAM_SUM && program <= OIT_I_PROGRAM_SPREAD)
         return !keeps;
     if (program == OIT_I_PROGRAM_KEEP)
         return keeps;
     if (program == OIT_I_PROGRAM_ARRANGE)
-        return oit->desc.store == OIT_STORE_BUCKETED;
+        return desc->store == OIT_STORE_BUCKETED;
+    if (program == OIT_I_PROGRAM_PREDICT || program == OIT_I_PROGRAM_SETTLE)
+        return desc->store == OIT_STORE_PREDICT;
+    if (program == OIT_I_PROGRAM_FIRST || program == OIT_I_PROGRAM_LAY)
+        return desc->store == OIT_STORE_FETCH;
+    if (desc->store == OIT_STORE_FETCH && (program == OIT_I_PROGRAM_SPREAD || program == OIT_I_PROGRAM_COUNT ||
+                                           (program >= OIT_I_PROGRAM_COMPOSE && !oit_i_is_tail(program))))
+        return 0;
+    if (program >= OIT_I_PROGRAM_SAMPLED && program < OIT_I_PROGRAM_PICK && !(desc->fields & OIT_FIELD_COVERAGE))
+        return 0;
+    return program != OIT_I_PROGRAM_GATHER || desc->store == OIT_STORE_LINKED;
+}
+
+/* Whether the frame has passes for it. */
+static int oit_i_uses_program(const oit_context *oit, int program) {
+    int draw = program - OIT_I_PROGRAM_COMPOSE, keeps = oit_i_keeps(&oit->desc);
+    int sampled = program >= OIT_I_PROGRAM_SAMPLED;
+    if (!oit_i_has_program(&oit->desc, program))
+        return 0;
     if (program == OIT_I_PROGRAM_DEPTH)
         return oit->frame.depth != OIT_DEPTH_NONE;
     if (sampled)
         draw = program - OIT_I_PROGRAM_SAMPLED;
     if (draw >= 0 && draw % (OIT_I_CLASSES + 1) == OIT_I_CLASSES) /* the tail */
-        return (oit->desc.fit == OIT_FIT_ASYNC || keeps) && !sampled;
+        return (oit->desc.fit == OIT_FIT_ASYNC || keeps || oit->desc.store == OIT_STORE_FETCH) && !sampled;
     return draw < oit_i_pixel_draws(oit) && (!sampled || oit->samples > 1);
 }
 
@@ -3918,41 +4711,64 @@ static oit_result oit_i_make_programs(oit_context *oit) {
     return result;
 }
 
-/* All that a frame needs; in a steady one nothing is missing, and the block is the same. */
-static oit_result oit_i_prepare(oit_context *oit) {
-    oit_i_block block;
-    int32_t bound = oit_i_borrow_target(oit);
-    int news = oit_i_take_reports(oit, 0);
-    oit_result result = oit_i_make_programs(oit);
-    if (result == OIT_OK && !oit->vertex_array)
-        oit->gl.gl_GenVertexArrays(1, &oit->vertex_array);
-    if (result == OIT_OK && !oit->vertex_array)
-        result = oit_i_fail(&oit->desc, OIT_OUT_OF_MEMORY, "oit_begin", "no vertex array");
-    if (result == OIT_OK)
-        result = oit_i_make_buffers(oit);
-    if (result == OIT_OK && news && oit->desc.fit == OIT_FIT_ASYNC && !oit_i_keeps(&oit->desc) &&
-        oit_i_capacity_is_wrong(oit, oit->report.needed))
-        result = oit_i_set_capacity(oit, oit_i_with_quarter(oit->report.needed), "oit_begin");
-    if (result == OIT_OK) {
-        block = oit_i_make_block(oit);
-        result = oit_i_upload_block(oit, &block);
-    }
-    oit_i_return_target(oit, bound);
-    return result;
-}
-
 /* ---- the steps of each store ---- */
 
-/* The k nearest are chosen by their keys in a first geometry pass, and come in a second. */
+/* The k nearest are chosen by their keys in a first geometry pass, and come in a second: with one, what a nearer fragment
+   drives out would have to take its record along, and atomics of 32 bits move one word. */
 static const oit_i_list oit_i_budget = {
-    {OIT_I_STEP_CLEAR, OIT_I_STEP_COUNT, OIT_I_STEP_KEEP, OIT_I_STEP_FILL, OIT_I_STEP_FILLED}, OIT_I_STEP_FILL};
+    {OIT_I_STEP_CLEAR, OIT_I_STEP_COUNT, OIT_I_STEP_KEEP, OIT_I_STEP_FILL, OIT_I_STEP_FILLED}, OIT_I_STEP_FILL, 0};
 static const oit_i_list oit_i_bucketed = {
     {OIT_I_STEP_CLEAR, OIT_I_STEP_COUNT, OIT_I_STEP_KEEP, OIT_I_STEP_FILL, OIT_I_STEP_ARRANGE, OIT_I_STEP_FILLED},
-    OIT_I_STEP_FILL};
+    OIT_I_STEP_FILL,
+    0};
 
 static const oit_i_list oit_i_exact = {{OIT_I_STEP_CLEAR, OIT_I_STEP_COUNT, OIT_I_STEP_SUM, OIT_I_STEP_TOPS,
                                         OIT_I_STEP_SPREAD, OIT_I_STEP_MEASURE, OIT_I_STEP_FILL, OIT_I_STEP_FILLED},
-                                       OIT_I_STEP_FILL};
+                                       OIT_I_STEP_FILL,
+                                       0};
+
+/* OIT_STORE_PREDICT: filled into runs of guessed lengths; counted first; filled again because something did not fit. */
+static const oit_i_list oit_i_predicted = {{OIT_I_STEP_PREDICT, OIT_I_STEP_SUM, OIT_I_STEP_TOPS, OIT_I_STEP_SPREAD,
+                                            OIT_I_STEP_FILL, OIT_I_STEP_SETTLE, OIT_I_STEP_CHECK, OIT_I_STEP_FILLED},
+                                           OIT_I_STEP_FILL,
+                                           1};
+static const oit_i_list oit_i_counted = {{OIT_I_STEP_CLEAR, OIT_I_STEP_COUNT, OIT_I_STEP_SUM, OIT_I_STEP_TOPS,
+                                          OIT_I_STEP_SPREAD, OIT_I_STEP_MEASURE, OIT_I_STEP_FILL, OIT_I_STEP_SETTLE,
+                                          OIT_I_STEP_FILLED},
+                                         OIT_I_STEP_FILL,
+                                         0};
+static const oit_i_list oit_i_refilled = {{OIT_I_STEP_PREDICT, OIT_I_STEP_SUM, OIT_I_STEP_TOPS, OIT_I_STEP_SPREAD,
+                                           OIT_I_STEP_MEASURE, OIT_I_STEP_FILL, OIT_I_STEP_SETTLE, OIT_I_STEP_FILLED},
+                                          OIT_I_STEP_FILL,
+                                          0};
+
+/* OIT_STORE_LINKED: filled, then counted and copied into runs; counted first, to know which pixels do not fit; filled again,
+   the whole or a band, because the list was too small. */
+static const oit_i_list oit_i_linked = {{OIT_I_STEP_CLEAR, OIT_I_STEP_FILL, OIT_I_STEP_SUM, OIT_I_STEP_TOPS,
+                                         OIT_I_STEP_SPREAD, OIT_I_STEP_MEASURE, OIT_I_STEP_GATHER, OIT_I_STEP_FILLED},
+                                        OIT_I_STEP_CLEAR,
+                                        1};
+static const oit_i_list oit_i_counted_and_linked = {{OIT_I_STEP_CLEAR, OIT_I_STEP_COUNT, OIT_I_STEP_SUM,
+                                                     OIT_I_STEP_TOPS, OIT_I_STEP_SPREAD, OIT_I_STEP_FILL,
+                                                     OIT_I_STEP_GATHER, OIT_I_STEP_FILLED},
+                                                    OIT_I_STEP_CLEAR,
+                                                    0};
+static const oit_i_list oit_i_linked_again = {
+    {OIT_I_STEP_CLEAR, OIT_I_STEP_FILL, OIT_I_STEP_GATHER, OIT_I_STEP_FILLED}, OIT_I_STEP_CLEAR, 2};
+
+/* OIT_STORE_FETCH: the first geometry pass, after which it is known how deep the deepest pixel is; each other one. */
+static const oit_i_list oit_i_fetched = {{OIT_I_STEP_FIRST, OIT_I_STEP_FILL, OIT_I_STEP_LAY, OIT_I_STEP_SUM,
+                                          OIT_I_STEP_TOPS, OIT_I_STEP_CHECK, OIT_I_STEP_FILLED},
+                                         OIT_I_STEP_FIRST,
+                                         0};
+static const oit_i_list oit_i_fetched_again = {
+    {OIT_I_STEP_FILL, OIT_I_STEP_LAY, OIT_I_STEP_FILLED}, OIT_I_STEP_FILL, 0};
+
+/* How many passes it takes to peel so many layers. */
+static int oit_i_fetches(const oit_context *oit, oit_i_u deepest) {
+    oit_i_u each = (oit_i_u)oit->fetched;
+    return deepest > each ? (int)(deepest / each + (deepest % each != 0)) : 1;
+}
 
 /* The slab as one part. */
 static void oit_i_whole_part(oit_context *oit) {
@@ -3962,12 +4778,68 @@ static void oit_i_whole_part(oit_context *oit) {
     oit->part_start = 0;
 }
 
+/* Whether the frame before was of this size, and of the same things. */
+static int oit_i_continues(const oit_context *oit) {
+    return !oit->frame.cut && oit->settled_width == oit->frame.width && oit->settled_height == oit->frame.height;
+}
+
+/* Whether the pixel buffer has counts to go by, and what they suggest may fit. */
+static int oit_i_can_predict(const oit_context *oit) {
+    oit_i_u most = (oit_i_u)(oit->desc.ceiling_bytes / oit_i_record_bytes(oit));
+    return oit_i_continues(oit) && (oit->desc.fit == OIT_FIT_ASYNC || oit->places <= most);
+}
+
+/* Whether all may fit, or can be filled again if not. */
+static int oit_i_can_link(const oit_context *oit) {
+    return oit->desc.fit == OIT_FIT_WAIT ||
+           (oit_i_continues(oit) && oit->report.frame > 0 && oit->places <= oit->capacity);
+}
+
 static void oit_i_start_slab(oit_context *oit) {
     oit->list = oit->desc.store == OIT_STORE_BUDGET     ? &oit_i_budget
                 : oit->desc.store == OIT_STORE_BUCKETED ? &oit_i_bucketed
                                                         : &oit_i_exact;
+    if (oit->desc.store == OIT_STORE_PREDICT)
+        oit->list = oit_i_can_predict(oit) ? &oit_i_predicted : &oit_i_counted;
+    if (oit->desc.store == OIT_STORE_LINKED)
+        oit->list = oit_i_can_link(oit) ? &oit_i_linked : &oit_i_counted_and_linked;
+    if (oit->desc.store == OIT_STORE_FETCH) {
+        oit->list = &oit_i_fetched;
+        oit->fetch = 1;
+        oit->fetches = oit->desc.fit == OIT_FIT_ASYNC ? oit_i_fetches(oit, oit->report.deepest) : 0;
+    }
+    oit->settled_width = 0;
     oit->step = (oit_i_step)oit->list->steps[0];
     oit_i_whole_part(oit);
+}
+
+/* All that a frame needs; in a steady one nothing is missing, and the block is the same. */
+static oit_result oit_i_prepare(oit_context *oit) {
+    oit_i_block block;
+    int32_t bound = oit_i_borrow_target(oit);
+    oit_result result;
+    int news;
+    oit_i_take_reports(oit, 0);
+    news = oit->news;
+    oit->news = 0;
+    result = oit_i_make_programs(oit);
+    if (result == OIT_OK && !oit->vertex_array)
+        oit->gl.gl_GenVertexArrays(1, &oit->vertex_array);
+    if (result == OIT_OK && !oit->vertex_array)
+        result = oit_i_fail(&oit->desc, OIT_OUT_OF_MEMORY, "oit_begin", "no vertex array");
+    if (result == OIT_OK)
+        result = oit_i_make_buffers(oit);
+    if (result == OIT_OK && !oit_i_keeps(&oit->desc) && oit->desc.store != OIT_STORE_FETCH &&
+        (oit->desc.fit == OIT_FIT_ASYNC ? news : oit->desc.store != OIT_STORE_EXACT) &&
+        oit_i_capacity_is_wrong(oit, oit->places))
+        result = oit_i_set_capacity(oit, oit_i_with_quarter(oit->places), "oit_begin");
+    if (result == OIT_OK) {
+        oit_i_start_slab(oit);
+        block = oit_i_make_block(oit);
+        result = oit_i_upload_block(oit, &block);
+    }
+    oit_i_return_target(oit, bound);
+    return result;
 }
 
 static int oit_i_free_slot(oit_context *oit) {
@@ -4011,7 +4883,6 @@ OIT_I_API oit_result oit_begin(oit_context *oit, const oit_frame *frame) {
         }
         ++oit->frame_number;
         oit->slot = oit_i_free_slot(oit);
-        oit_i_start_slab(oit);
     }
     oit->in_frame = 1;
     return OIT_OK;
@@ -4029,8 +4900,14 @@ OIT_I_API oit_result oit_begin(oit_context *oit, const oit_frame *frame) {
      report   pixels: totals read; report written     spread (totals), fill and compose (extra, at the end)
      fill     pixels: starts read, counts atomics; fragments written             spread; compose of the band before
      pick     pixels, fragments           read; one of the buffers for picks written   fill
-     compose  pixels, fragments           read        fill
+     compose  pixels, fragments           read        fill; settle (how many came, the tail)
      depth    pixels, fragments           read        fill
+     predict  pixels: own words, counts read; starts, totals, tail written    settle and report of the frame before
+     settle   pixels: starts, counts read; own words, totals, tail written; fragments read    fill
+     gather   pixels: starts, own words read, counts and tail written; list read; fragments written    spread, fill, and
+              compose of the frame or band before
+   With OIT_STORE_LINKED fill writes the list in the place of the fragments, and clear what gather of the band before has
+   read.
 
    Of the stores that keep the k nearest:
 
@@ -4057,6 +4934,14 @@ static oit_i_u oit_i_barrier_before(oit_pass_kind kind) {
     case OIT_PASS_REPORT:
         return OIT_I_GL_SHADER_STORAGE_BARRIER;
     case OIT_PASS_FILL:
+        return OIT_I_GL_SHADER_STORAGE_BARRIER;
+    case OIT_PASS_PREDICT:
+        return OIT_I_GL_SHADER_STORAGE_BARRIER;
+    case OIT_PASS_SETTLE:
+        return OIT_I_GL_SHADER_STORAGE_BARRIER;
+    case OIT_PASS_GATHER:
+        return OIT_I_GL_SHADER_STORAGE_BARRIER;
+    case OIT_PASS_LAY:
         return OIT_I_GL_SHADER_STORAGE_BARRIER;
     case OIT_PASS_KEEP:
         return OIT_I_GL_SHADER_STORAGE_BARRIER;
@@ -4093,6 +4978,14 @@ static int oit_i_program_of(const oit_context *oit, oit_pass_kind kind) {
         return OIT_I_PROGRAM_SPREAD;
     case OIT_PASS_REPORT:
         return OIT_I_PROGRAM_REPORT;
+    case OIT_PASS_PREDICT:
+        return OIT_I_PROGRAM_PREDICT;
+    case OIT_PASS_SETTLE:
+        return OIT_I_PROGRAM_SETTLE;
+    case OIT_PASS_GATHER:
+        return OIT_I_PROGRAM_GATHER;
+    case OIT_PASS_LAY:
+        return oit->step == OIT_I_STEP_FIRST ? OIT_I_PROGRAM_FIRST : OIT_I_PROGRAM_LAY;
     case OIT_PASS_KEEP:
         return OIT_I_PROGRAM_KEEP;
     case OIT_PASS_ARRANGE:
@@ -4140,28 +5033,31 @@ static void oit_i_fill_blend(const oit_context *oit, oit_state *state) {
 static void oit_i_fill_pass(const oit_context *oit, oit_pass_kind kind, oit_pass *pass) {
     oit_state *state = &pass->state;
     const int *part = oit->part;
-    int compose = kind == OIT_PASS_COMPOSE, depth = kind == OIT_PASS_DEPTH, i;
+    int compose = kind == OIT_PASS_COMPOSE, depth = kind == OIT_PASS_DEPTH, lay = kind == OIT_PASS_LAY, i;
+    int fetch = lay || (kind == OIT_PASS_FILL && oit->desc.store == OIT_STORE_FETCH);
     memset(pass, 0, sizeof *pass);
     pass->kind = kind;
     pass->name = oit_pass_kind_name(kind);
-    if (!compose || oit->compose_index == 0)
+    if (!compose || !oit->composes) /* once before the first that is drawn */
         pass->barriers = oit_i_barrier_before(kind);
     state->program = oit->programs[oit_i_program_of(oit, kind)];
     for (i = 0; i < 2; ++i)
         state->storage_buffers[i] = oit->buffers[OIT_I_PIXELS + i];
     state->storage_buffers[2] = oit->slot >= 0 ? oit->buffers[OIT_I_REPORT + oit->slot] : 0;
+    if (oit->desc.store == OIT_STORE_LINKED && (kind == OIT_PASS_FILL || kind == OIT_PASS_GATHER))
+        state->storage_buffers[kind == OIT_PASS_FILL ? 1 : 2] = oit->buffers[OIT_I_LIST];
     state->first_storage_binding = oit->desc.first_storage_binding;
     state->uniform_buffer = oit->buffers[OIT_I_UNIFORMS];
     state->uniform_binding = oit->desc.uniform_binding;
     state->blend_source = OIT_I_GL_ONE;
     state->depth_func = oit->desc.reversed_z ? OIT_I_GL_GREATER : OIT_I_GL_LESS;
-    if (!oit_i_is_hosts(kind) && !compose && !depth) {
+    if (!oit_i_is_hosts(kind) && !compose && !depth && !lay) {
         if (kind == OIT_PASS_PICK)
             state->storage_buffers[2] = oit->buffers[OIT_I_PICKED + oit->pick];
         oit_i_fill_groups(oit, kind, state);
         return;
     }
-    state->framebuffer = depth ? oit->frame.depth_framebuffer : oit->frame.framebuffer;
+    state->framebuffer = depth ? oit->frame.depth_framebuffer : fetch ? oit->fetch_framebuffer : oit->frame.framebuffer;
     state->viewport[0] = oit->frame.x;
     state->viewport[1] = oit->frame.y;
     state->viewport[2] = oit->frame.width;
@@ -4170,7 +5066,8 @@ static void oit_i_fill_pass(const oit_context *oit, oit_pass_kind kind, oit_pass
     state->scissor[1] = oit->frame.y + oit->slab_y + (kind == OIT_PASS_COUNT ? 0 : part[1]);
     state->scissor[2] = kind == OIT_PASS_COUNT ? oit->frame.width : part[2];
     state->scissor[3] = kind == OIT_PASS_COUNT ? oit->slab_rows : part[3];
-    state->depth_test = !compose;
+    state->depth_test = !compose && !lay;
+    state->color_write = fetch ? 2 : 0;
     if (depth) {
         state->depth_func = OIT_I_GL_ALWAYS;
         state->color_write = oit->frame.depth_to_color != 0;
@@ -4178,7 +5075,7 @@ static void oit_i_fill_pass(const oit_context *oit, oit_pass_kind kind, oit_pass
     }
     if (compose)
         oit_i_fill_blend(oit, state);
-    if (compose || depth) {
+    if (compose || depth || lay) {
         state->vertex_array = oit->vertex_array;
         state->vertex_count = 3;
     }
@@ -4256,6 +5153,8 @@ OIT_I_API oit_result oit_pick_begin(oit_context *oit, int x, int y, int layer) {
     int slot = 0;
     if (!oit)
         return OIT_INVALID_ARGUMENT;
+    if (oit->desc.store == OIT_STORE_FETCH)
+        return oit_i_fail(&oit->desc, OIT_INVALID_ARGUMENT, "oit_pick_begin", "OIT_STORE_FETCH keeps no layers");
     if (layer < 0)
         return oit_i_fail(&oit->desc, OIT_INVALID_ARGUMENT, "oit_pick_begin", "layer is negative");
     while (slot < OIT_MAX_PICKS && oit->picks[slot].state != OIT_I_PICK_FREE)
@@ -4449,25 +5348,63 @@ static oit_result oit_i_next_part(oit_context *oit, int first) {
     return result;
 }
 
+/* The target must be borrowed. */
+static oit_result oit_i_read_measure(oit_context *oit, oit_i_u totals[OIT_I_HEADER_WORDS]) {
+    oit->gl.gl_MemoryBarrier(OIT_I_GL_BUFFER_UPDATE_BARRIER);
+    if (!oit_i_read_totals(oit, oit->slot, totals))
+        return oit_i_fail(&oit->desc, OIT_OUT_OF_MEMORY, "oit_next_pass", "the report cannot be mapped");
+    oit->deepest = totals[1];
+    memcpy(oit->class_pixels, totals + 8, sizeof oit->class_pixels);
+    return OIT_OK;
+}
+
+/* Lists that fit stay as they are: they hold what has been drawn. */
+static oit_result oit_i_fit_pool(oit_context *oit) {
+    if (oit->list == &oit_i_linked && oit->needed <= oit->capacity)
+        return OIT_OK;
+    if (oit->list == &oit_i_linked) {
+        oit->list = &oit_i_linked_again;
+        oit->step = (oit_i_step)oit->list->steps[0];
+    }
+    return oit_i_capacity_is_wrong(oit, oit->needed)
+               ? oit_i_set_capacity(oit, oit_i_with_quarter(oit->needed), "oit_next_pass")
+               : OIT_OK;
+}
+
 /* OIT_FIT_WAIT: how much the slab needs is read, and the pool made to hold it if that may be. */
 static oit_result oit_i_measure(oit_context *oit) {
     oit_i_u totals[OIT_I_HEADER_WORDS];
     int32_t bound = oit_i_borrow_target(oit);
-    oit_result result = OIT_OK;
-    oit->gl.gl_MemoryBarrier(OIT_I_GL_BUFFER_UPDATE_BARRIER);
-    if (!oit_i_read_totals(oit, oit->slot, totals))
-        result = oit_i_fail(&oit->desc, OIT_OUT_OF_MEMORY, "oit_next_pass", "the report cannot be mapped");
-    else if (totals[5] == 0xffffffffu)
+    oit_result result = oit_i_read_measure(oit, totals);
+    if (result == OIT_OK && totals[5] == 0xffffffffu)
         result = oit_i_fail(&oit->desc, OIT_TOO_LARGE, "oit_next_pass", "2^32 fragments or more");
     if (result == OIT_OK) {
         oit->needed = totals[5];
-        oit->deepest = totals[1];
-        memcpy(oit->class_pixels, totals + 8, sizeof oit->class_pixels);
-        if (oit_i_capacity_is_wrong(oit, oit->needed))
-            result = oit_i_set_capacity(oit, oit_i_with_quarter(oit->needed), "oit_next_pass");
+        if (oit->list != &oit_i_refilled)
+            oit_i_note_places(oit, totals, 0);
+        result = oit_i_fit_pool(oit);
     }
     oit_i_return_target(oit, bound);
     return result;
+}
+
+/* OIT_FIT_WAIT, and runs were guessed: where something did not fit, all is filled again, from the counts. */
+static oit_result oit_i_check_fit(oit_context *oit) {
+    oit_i_u totals[OIT_I_HEADER_WORDS];
+    int32_t bound = oit_i_borrow_target(oit);
+    oit_result result = oit_i_read_measure(oit, totals);
+    oit_i_return_target(oit, bound);
+    oit->needed = 0; /* the pool is large enough for what it holds */
+    if (result != OIT_OK)
+        return result;
+    if (oit->desc.store == OIT_STORE_FETCH)
+        oit->fetches = oit_i_fetches(oit, totals[1]);
+    oit_i_note_places(oit, totals, 1);
+    if (totals[2] > 0 && oit->desc.store == OIT_STORE_PREDICT) {
+        oit->list = &oit_i_refilled;
+        oit->step = (oit_i_step)oit->list->steps[0];
+    }
+    return OIT_OK;
 }
 
 static oit_result oit_i_next_slab(oit_context *oit) {
@@ -4488,10 +5425,16 @@ static int oit_i_is_last_part(const oit_context *oit) {
            oit->slab_y + oit->slab_rows == oit->frame.height;
 }
 
+static int oit_i_is_whole(const oit_context *oit) {
+    return oit->part[0] == 0 && oit->part[1] == 0 && oit_i_is_last_part(oit) && oit->slab_y == 0;
+}
+
 /* A program is drawn where it serves an eighth of the pixels or more, and that of the deepest ones; the pixels of one that
    is not fall to the next. What is deeper than was known falls to the last, so that a wrong guess costs only time. */
 static int oit_i_is_needed(const oit_context *oit, int draw) {
     int index = draw % (OIT_I_CLASSES + 1), deep = index == OIT_I_CLASSES - 1, wait = oit->desc.fit == OIT_FIT_WAIT;
+    if (oit->desc.store == OIT_STORE_FETCH)
+        return index == OIT_I_CLASSES;
     if (oit_i_keeps(&oit->desc) && deep)
         return (oit_i_u)oit->layers > oit->block.step[1];
     if (oit_i_keeps(&oit->desc) && index == OIT_I_CLASSES)
@@ -4525,6 +5468,7 @@ static void oit_i_skip_steps(oit_context *oit) {
 static void oit_i_start_composing(oit_context *oit) {
     oit->step = OIT_I_STEP_PICK;
     oit->compose_index = 0;
+    oit->composes = 0;
 }
 
 /* After the last draw of a part. */
@@ -4543,13 +5487,29 @@ static oit_result oit_i_after_part(oit_context *oit) {
 /* The pass of the present step. Returns 0 where there is none. */
 static int oit_i_kind_of_step(const oit_context *oit, oit_pass_kind *kind) {
     static const oit_pass_kind kinds[OIT_I_STEP_DONE] = {
-        OIT_PASS_CLEAR,  OIT_PASS_COUNT, OIT_PASS_SUM,    OIT_PASS_TOPS, OIT_PASS_SPREAD,
-        OIT_PASS_REPORT, OIT_PASS_FILL,  OIT_PASS_FILL,   OIT_PASS_PICK, OIT_PASS_COMPOSE,
-        OIT_PASS_DEPTH,  OIT_PASS_DEPTH, OIT_PASS_REPORT, OIT_PASS_KEEP, OIT_PASS_ARRANGE};
+        OIT_PASS_CLEAR,   OIT_PASS_COUNT,  OIT_PASS_SUM,    OIT_PASS_TOPS,    OIT_PASS_SPREAD, OIT_PASS_REPORT,
+        OIT_PASS_PREDICT, OIT_PASS_SETTLE, OIT_PASS_GATHER, OIT_PASS_LAY,     OIT_PASS_LAY,    OIT_PASS_REPORT,
+        OIT_PASS_FILL,    OIT_PASS_FILL,   OIT_PASS_PICK,   OIT_PASS_COMPOSE, OIT_PASS_DEPTH,  OIT_PASS_DEPTH,
+        OIT_PASS_REPORT,  OIT_PASS_KEEP,   OIT_PASS_ARRANGE};
     if (oit->step == OIT_I_STEP_FILLED || oit->step == OIT_I_STEP_DONE)
         return 0;
     *kind = kinds[(int)oit->step];
     return 1;
+}
+
+static int oit_i_has_step(const oit_context *oit, oit_i_step step) {
+    if (step == OIT_I_STEP_MEASURE || step == OIT_I_STEP_CHECK)
+        return oit->desc.fit == OIT_FIT_WAIT;
+    return step != OIT_I_STEP_SETTLE || oit_i_is_last_part(oit);
+}
+
+/* OIT_STORE_FETCH: another pass, if there are layers left. */
+static void oit_i_fetch_more(oit_context *oit) {
+    if (oit->desc.store != OIT_STORE_FETCH || oit->fetch >= oit->fetches)
+        return;
+    ++oit->fetch;
+    oit->list = &oit_i_fetched_again;
+    oit->step = (oit_i_step)oit->list->steps[0];
 }
 
 /* After the present step's pass. */
@@ -4560,16 +5520,23 @@ static void oit_i_advance(oit_context *oit) {
         oit->picks[oit->pick].frame = oit->frame_number;
     } else if (oit->step == OIT_I_STEP_COMPOSE) {
         ++oit->compose_index;
+        oit->composes = 1;
     } else if (oit->step == OIT_I_STEP_DEPTH) {
         oit->step = OIT_I_STEP_COMPOSED;
     } else if (oit->step == OIT_I_STEP_REPORT) {
         oit->step = OIT_I_STEP_DONE;
     } else {
+        if ((oit->step == OIT_I_STEP_SETTLE || oit->step == OIT_I_STEP_GATHER) && oit_i_is_whole(oit)) {
+            oit->settled_width = oit->frame.width;
+            oit->settled_height = oit->frame.height;
+        }
         while (*at != (unsigned char)oit->step)
             ++at;
         do
             oit->step = (oit_i_step) * ++at;
-        while (oit->step == OIT_I_STEP_MEASURE && oit->desc.fit == OIT_FIT_ASYNC);
+        while (!oit_i_has_step(oit, oit->step));
+        if (oit->step == OIT_I_STEP_FILLED)
+            oit_i_fetch_more(oit);
         if (oit->step == OIT_I_STEP_FILLED && !oit_i_is_last_part(oit))
             oit_i_start_composing(oit);
     }
@@ -4577,7 +5544,7 @@ static void oit_i_advance(oit_context *oit) {
 
 OIT_I_API int oit_next_pass(oit_context *oit, oit_pass *pass) {
     oit_pass_kind kind;
-    int measures;
+    oit_i_step step;
     if (!oit || !pass || !oit->in_frame)
         return 0;
     while (oit->failure == OIT_OK) {
@@ -4595,15 +5562,17 @@ OIT_I_API int oit_next_pass(oit_context *oit, oit_pass *pass) {
             oit->gl.gl_MemoryBarrier(pass->barriers);
         if (oit->desc.state != OIT_STATE_NONE)
             oit_i_apply(oit, &pass->state);
-        measures = oit->step == OIT_I_STEP_MEASURE;
+        step = oit->step;
         oit_i_advance(oit);
         if (oit->desc.state == OIT_STATE_NONE || oit_i_is_hosts(kind))
             return 1;
         oit_i_execute(oit, &pass->state);
-        if (measures)
-            oit->failure = oit_i_measure(oit);
-        if (measures && oit->failure == OIT_OK)
+        if (step == OIT_I_STEP_MEASURE || step == OIT_I_STEP_CHECK)
+            oit->failure = step == OIT_I_STEP_MEASURE ? oit_i_measure(oit) : oit_i_check_fit(oit);
+        if ((step == OIT_I_STEP_MEASURE || step == OIT_I_STEP_CHECK) && oit->failure == OIT_OK)
             oit->failure = oit_i_next_part(oit, 0);
+        if (step == OIT_I_STEP_CHECK && oit->failure == OIT_OK)
+            oit_i_fetch_more(oit);
     }
     return 0;
 }
@@ -4636,6 +5605,7 @@ OIT_I_API oit_result oit_end(oit_context *oit) {
         pending->frame = oit->frame_number;
         pending->capacity = oit->capacity;
         pending->bands = oit->bands;
+        oit->guessed[oit->slot] = oit->list->direct;
         pending->layers = (uint32_t)oit->layers;
         oit->gl.gl_MemoryBarrier(OIT_I_GL_BUFFER_UPDATE_BARRIER);
         oit->fences[oit->slot] = oit->gl.gl_FenceSync(OIT_I_GL_SYNC_GPU_COMMANDS_COMPLETE, 0);

@@ -368,12 +368,27 @@ int main(int argc, char **argv) {
     static stage s;
     char message[256];
     setvbuf(stdout, NULL, _IOLBF, 0);
-    subject subjects[] = {{.name = "blend", .draw = draw_blend},
-                          {.name = "exact", .draw = draw_oit},
-                          {.name = "exact_async", .draw = draw_oit, .desc = {.fit = OIT_FIT_ASYNC}},
-                          {.name = "peel", .draw = draw_peel},
-                          {.name = "dual", .draw = draw_dual},
-                          {.name = "weighted", .draw = draw_weighted}};
+    subject subjects[] = {
+        {.name = "blend", .draw = draw_blend},
+        {.name = "exact", .draw = draw_oit},
+        {.name = "exact_async", .draw = draw_oit, .desc = {.fit = OIT_FIT_ASYNC}},
+        {.name = "budget",
+         .draw = draw_oit,
+         .desc = {.store = OIT_STORE_BUDGET, .budget_bytes = 1 << 30, .layers = 32}},
+        {.name = "budget_8", .draw = draw_oit, .desc = {.store = OIT_STORE_BUDGET, .layers = 8}},
+        {.name = "bucketed",
+         .draw = draw_oit,
+         .desc = {.store = OIT_STORE_BUCKETED, .fields = OIT_FIELD_PART, .budget_bytes = 1 << 30, .layers = 32}},
+        {.name = "bucketed_8",
+         .draw = draw_oit,
+         .desc = {.store = OIT_STORE_BUCKETED, .fields = OIT_FIELD_PART, .layers = 8, .bucket_depth_bits = 16}},
+        {.name = "predict", .draw = draw_oit, .desc = {.store = OIT_STORE_PREDICT}},
+        {.name = "predict_async", .draw = draw_oit, .desc = {.store = OIT_STORE_PREDICT, .fit = OIT_FIT_ASYNC}},
+        {.name = "linked", .draw = draw_oit, .desc = {.store = OIT_STORE_LINKED}},
+        {.name = "linked_async", .draw = draw_oit, .desc = {.store = OIT_STORE_LINKED, .fit = OIT_FIT_ASYNC}},
+        {.name = "peel", .draw = draw_peel},
+        {.name = "dual", .draw = draw_dual},
+        {.name = "weighted", .draw = draw_weighted}};
     size_t count = sizeof subjects / sizeof subjects[0];
     if (!headless_create(&s.context, 4, 3, false, message, sizeof message) ||
         !gladLoadGL((GLADloadfunc)eglGetProcAddress)) {

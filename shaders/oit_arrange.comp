@@ -4,54 +4,57 @@
 // ordered, not the records, which stay where they are.
 layout(local_size_x = 128) in;
 
-// By part, then as composed.
-bool oit_comes_after(uint a, uint b)
+// One more fragment of that part. Its slot is part mod k, or the next that is free: there are k, and no more parts. Of two
+// parts that meet the smaller takes the slot and the other moves on; so the table is the one that the paper gets from parts
+// in ascending order, in whatever order they come.
+void oit_count_part(uint p, uint part)
 {
-    uint x = OIT_WORD(a, OIT_AT_PART), y = OIT_WORD(b, OIT_AT_PART);
-    return x != y ? x > y : oit_after(a, b);
-}
-
-uint oit_record_at(uint p, uint i)
-{
-    return oit_bucket_record(p, i) * uint(OIT_VECTORS);
-}
-
-// By insertion: few, and often nearly in order.
-void oit_reorder(uint p, uint start, uint count)
-{
-    for (uint i = 0u; i < count; ++i) {
-        uint place = start + i, to = i;
-        for (; to > 0u && oit_comes_after(oit_record_at(p, to - 1u), place * uint(OIT_VECTORS)); --to)
-            oit_pixel[OIT_KEY(p, to)] = oit_pixel[OIT_KEY(p, to - 1u)];
-        oit_pixel[OIT_KEY(p, to)] = place;
+    uint count = 1u, slot = part % OIT_LAYERS;
+    for (uint i = 0u; i < OIT_LAYERS; ++i) {
+        uint at = OIT_BUCKET(p, slot), there = oit_pixel[at], others = oit_pixel[at + 1u];
+        if (others > 0u && there == part) {
+            oit_pixel[at + 1u] = others + 1u;
+            return;
+        }
+        if (others == 0u || part < there) {
+            oit_pixel[at] = part;
+            oit_pixel[at + 1u] = count;
+            if (others == 0u)
+                return;
+            part = there;
+            count = others;
+        }
+        slot = slot + 1u < OIT_LAYERS ? slot + 1u : 0u;
     }
 }
 
-// The slot of a part is part mod k, or the next that is free. One is: there are k, and at most k parts.
-void oit_insert_bucket(uint p, uint part, uint first, uint count)
+// Into its bucket, behind the fragments that are composed before it.
+void oit_place(uint p, uint place)
 {
-    uint slot = part % OIT_LAYERS;
-    while (oit_pixel[OIT_BUCKET(p, slot) + 1u] != 0u)
-        slot = slot + 1u < OIT_LAYERS ? slot + 1u : 0u;
-    oit_pixel[OIT_BUCKET(p, slot)] = part;
-    oit_pixel[OIT_BUCKET(p, slot) + 1u] = first | count << 16u;
+    uint part = OIT_WORD(place * uint(OIT_VECTORS), OIT_AT_PART), first, count;
+    uint at = oit_find_bucket(p, part, first, count), to = first + count;
+    for (; to > first && oit_after(oit_bucket_record(p, to - 1u) * uint(OIT_VECTORS), place * uint(OIT_VECTORS)); --to)
+        oit_pixel[OIT_KEY(p, to)] = oit_bucket_record(p, to - 1u);
+    oit_pixel[OIT_KEY(p, to)] = place;
+    oit_pixel[at] += 1u << 16u;
 }
 
 void oit_arrange(uint p)
 {
     uint end = oit_pixel[OIT_START(p + 1u)];
     uint start = oit_pixel[OIT_START(p)] + uint(max(int(oit_pixel[OIT_LEFT(p)]), 0));
-    uint count = end - start, first = 0u;
-    oit_reorder(p, start, count);
     for (uint slot = 0u; slot < OIT_LAYERS; ++slot)
         oit_pixel[OIT_BUCKET(p, slot) + 1u] = 0u;
-    for (uint i = 1u; i <= count; ++i) {
-        uint part = OIT_WORD(oit_record_at(p, first), OIT_AT_PART);
-        if (i < count && OIT_WORD(oit_record_at(p, i), OIT_AT_PART) == part)
-            continue;
-        oit_insert_bucket(p, part, first, i - first);
-        first = i;
+    for (uint place = start; place < end; ++place)
+        oit_count_part(p, OIT_WORD(place * uint(OIT_VECTORS), OIT_AT_PART));
+    uint first = 0u;
+    for (uint slot = 0u; slot < OIT_LAYERS; ++slot) {
+        uint at = OIT_BUCKET(p, slot) + 1u, count = oit_pixel[at];
+        oit_pixel[at] = count > 0u ? OIT_BUCKET_USED | first : 0u;
+        first += count;
     }
+    for (uint place = start; place < end; ++place)
+        oit_place(p, place);
 }
 
 void main()

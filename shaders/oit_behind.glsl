@@ -4,7 +4,7 @@
 layout(std430, binding = OIT_BINDING_PIXELS) readonly buffer oit_pixels { uint oit_pixel[]; };
 #endif
 
-#if OIT_KEEPS
+#if OIT_TAIL_WORDS == 6
 vec4 oit_tail_sums(uint p)
 {
     uint at = OIT_TAIL(p);

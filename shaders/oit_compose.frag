@@ -62,6 +62,10 @@ void main()
     if (end > oit_pool.z)
         discard;
 #endif
+#if OIT_ASYNC && OIT_STORE == OIT_PREDICT
+    if (int(oit_pixel[OIT_LEFT(p)]) < 0)
+        discard;
+#endif
     // Fragments that were counted and did not come have left the first places empty.
     start += uint(max(int(oit_pixel[OIT_LEFT(p)]), 0));
     uint n = end - start;

@@ -117,12 +117,14 @@ void oit_lay(uvec4 r, uvec4 q)
     oit_through *= 1.0 - color.a;
 }
 
+#if OIT_STORE != OIT_FETCH
 void oit_lay(uint at)
 {
     uvec4 r, q;
     oit_load(at, r, q);
     oit_lay(r, q);
 }
+#endif
 
 #if OIT_DEEP
 // Behind what is opaque all weights are zero, so that to stop there changes no bit.

@@ -8,6 +8,9 @@ bool oit_find_run(uint p, out uint base, out uint n)
     bool fits = true;
 #if OIT_ASYNC
     fits = end <= oit_pool.z;
+#if OIT_STORE == OIT_PREDICT
+    fits = fits && int(oit_pixel[OIT_LEFT(p)]) >= 0;
+#endif
 #endif
     // Fragments that were counted and did not come have left the first places empty.
     if (fits)

@@ -1,11 +1,16 @@
 // For: oit_buffers.h
 // Records read back: the order of two, colour, how it is laid over what is behind.
+#ifndef OIT_SETTLES
 #ifdef OIT_ARRANGES
 layout(std430, binding = OIT_BINDING_PIXELS) buffer oit_pixels { uint oit_pixel[]; };
 #else
 layout(std430, binding = OIT_BINDING_PIXELS) readonly buffer oit_pixels { uint oit_pixel[]; };
 #endif
-layout(std430, binding = OIT_BINDING_FRAGMENTS) readonly buffer oit_fragments { OIT_VECTOR oit_data[]; };
+#endif
+#ifndef OIT_BINDING_RECORDS
+#define OIT_BINDING_RECORDS OIT_BINDING_FRAGMENTS
+#endif
+layout(std430, binding = OIT_BINDING_RECORDS) readonly buffer oit_fragments { OIT_VECTOR oit_data[]; };
 
 // Whether the record at a comes after that at b; by their words, then by where they lie, which only tells apart records
 // that are alike in every word.
@@ -28,21 +33,8 @@ uint oit_record_depth(uint at)
     return oit_data[at].x;
 }
 
-vec4 oit_unpack_color(uvec4 w)
-{
-#if OIT_COLOR == OIT_COLOR_8
-    return vec4(vec3(uvec3(w.x, w.x >> 10u, w.x >> 20u) & 1023u) * (1.0 / 1023.0), uintBitsToFloat(w.y));
-#elif OIT_COLOR == OIT_COLOR_HALF
-    return vec4(unpackHalf2x16(w.x), unpackHalf2x16(w.y));
-#else
-    return uintBitsToFloat(w);
-#endif
-}
-
 // The words by which records are sorted and composed: the first OIT_SORTED of them, depth to colour and blend, in two
 // vectors; zeros after them. What a record carries beyond cannot be seen in the picture.
-#define OIT_COVERAGE_OF(word) ((word) >> uint(OIT_COVERAGE_SHIFT))
-#define OIT_SORTED_WORD(i) ((i) < 4 ? r[(i) & 3] : q[(i) & 3])
 void oit_load(uint at, out uvec4 r, out uvec4 q)
 {
     q = uvec4(0u);
@@ -74,12 +66,22 @@ void oit_load(uint at, out uvec4 r, out uvec4 q)
 #endif
 }
 
-uvec4 oit_color_words(uvec4 r, uvec4 q)
+#if defined(OIT_SETTLES) && OIT_ASYNC
+// What the record adds to the tail.
+vec4 oit_record_amounts(uint at)
 {
-    uvec4 w = uvec4(OIT_SORTED_WORD(OIT_AT_COLOR), OIT_SORTED_WORD(OIT_AT_COLOR + 1), 0u, 0u);
-#if OIT_COLOR == OIT_COLOR_FLOAT
-    w.z = OIT_SORTED_WORD(OIT_AT_COLOR + 2);
-    w.w = OIT_SORTED_WORD(OIT_AT_COLOR + 3);
+    uvec4 r, q;
+    uint blend = 0u, covered = 0u;
+    oit_load(at, r, q);
+    uvec4 words = oit_color_words(r, q);
+#if OIT_HAS_BLEND && OIT_COLOR == OIT_COLOR_8
+    blend = words.x >> 30u;
+#elif OIT_HAS_BLEND
+    blend = OIT_SORTED_WORD(OIT_AT_BLEND) & 255u;
 #endif
-    return w;
+#if OIT_HAS_COVERAGE
+    covered = OIT_COVERAGE_OF(OIT_SORTED_WORD(OIT_AT_COVERAGE));
+#endif
+    return oit_tail_amounts(oit_unpack_color(words), blend, covered);
 }
+#endif

@@ -6,12 +6,7 @@ layout(early_fragment_tests) in;
 #if OIT_HAS_COVERAGE && OIT_POST_DEPTH
 layout(post_depth_coverage) in;
 #endif
-#if OIT_KEEPS && OIT_PASS == OIT_COUNT
-layout(std430, binding = OIT_BINDING_PIXELS) coherent buffer oit_pixels { uint oit_pixel[]; };
-#else
-layout(std430, binding = OIT_BINDING_PIXELS) buffer oit_pixels { uint oit_pixel[]; };
-#endif
-#if OIT_PASS == OIT_FILL
+#if OIT_PASS == OIT_FILL && OIT_STORE != OIT_FETCH
 layout(std430, binding = OIT_BINDING_FRAGMENTS) writeonly buffer oit_fragments { OIT_VECTOR oit_data[]; };
 #endif
 
@@ -172,10 +167,9 @@ uint oit_pack_normal(vec3 n)
 }
 #endif
 
-void oit_write(uint at, oit_fragment f)
+void oit_pack(oit_fragment f, out uint w[OIT_VECTORS * OIT_LANES])
 {
     vec4 color = oit_finite(f.color);
-    uint w[OIT_VECTORS * OIT_LANES];
     for (int i = 0; i < OIT_VECTORS * OIT_LANES; ++i)
         w[i] = 0u;
     w[0] = oit_depth_bits();
@@ -217,6 +211,32 @@ void oit_write(uint at, oit_fragment f)
     for (int i = 0; i < OIT_HOST_WORDS; ++i)
         w[OIT_AT_HOST + i] = f.words[i];
 #endif
+}
+
+#if OIT_STORE == OIT_FETCH
+bool oit_before(uvec4 a, uvec4 b)
+{
+    return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z != b.z ? a.z < b.z : a.w < b.w;
+}
+
+// Into the layers of this pass, nearest first; what falls out is for a later pass. What has been composed is passed over:
+// all that comes before the last record that was, and of those like it, which no one can tell apart, as many as were.
+void oit_put(uint p, uvec4 r)
+{
+    uint at = OIT_LAID(p), copies = oit_pixel[at + 4u];
+    uvec4 last = uvec4(oit_pixel[at], oit_pixel[at + 1u], oit_pixel[at + 2u], oit_pixel[at + 3u]);
+    oit_seen.y += 1u;
+    if (copies > 0u && !oit_before(last, r)) {
+        oit_seen.x += r == last ? 1u : 0u;
+        if (r != last || oit_seen.x <= copies)
+            return;
+    }
+#define OIT_EXCHANGE(l) if (oit_before(r, l)) { uvec4 kept = l; l = r; r = kept; }
+    OIT_EACH_LAYER(OIT_EXCHANGE)
+}
+#else
+void oit_write(uint at, uint w[OIT_VECTORS * OIT_LANES])
+{
     for (int i = 0; i < OIT_VECTORS; ++i)
 #if OIT_LANES == 4
         oit_data[at + uint(i)] = uvec4(w[4 * i], w[4 * i + 1], w[4 * i + 2], w[4 * i + 3]);
@@ -224,49 +244,34 @@ void oit_write(uint at, oit_fragment f)
         oit_data[at + uint(i)] = uvec2(w[2 * i], w[2 * i + 1]);
 #endif
 }
-
-#if OIT_ASYNC || OIT_KEEPS
-// The tail: sums that do not depend on the order, in integers so that rounding does not either. The layers of a pixel are
-// taken as mixed evenly: optical depths add, colours are weighted by them. Colours up to 4 and optical depths up to 11 make
-// less than 64 a fragment.
-vec4 oit_tail_parts(oit_fragment f)
-{
-    vec4 color = oit_finite(f.color);
-#if OIT_HAS_COVERAGE // the tail knows no samples: a fragment is as much thinner as it covers less of the pixel
-    color *= vec4(vec3(OIT_PREMULTIPLIED == 1 ? OIT_SHARE(oit_coverage()) : 1.0), OIT_SHARE(oit_coverage()));
 #endif
-    float thickness = min(-log(1.0 - min(color.a, 0.999999)), 11.0);
-    vec3 c = clamp(color.rgb, 0.0, 4.0);
-#if OIT_PREMULTIPLIED
-    c = color.a > 0.0 ? min(c / color.a, vec3(4.0)) : c;
-    float weight = color.a > 0.0 ? thickness : 1.0;
+
+#if (OIT_ASYNC || OIT_KEEPS) && OIT_STORE != OIT_FETCH
+#if OIT_HAS_COVERAGE
+#define OIT_COVERED_NOW oit_coverage()
 #else
-    float weight = thickness;
+#define OIT_COVERED_NOW 0u
 #endif
 #if OIT_HAS_BLEND
-    if (f.blend == OIT_BLEND_ADD) {
-        weight = OIT_PREMULTIPLIED == 1 ? max(color.a, 1.0e-6) : color.a;
-        thickness = 0.0;
-    } else if (f.blend == OIT_BLEND_MULTIPLY) {
-        float keep = 1.0 - color.a + color.a * min((c.r + c.g + c.b) / 3.0, 1.0);
-        thickness = min(-log(max(keep, 1.0e-6)), 11.0);
-        weight = 0.0;
-    }
+#define OIT_BLEND_OF(f) f.blend
+#else
+#define OIT_BLEND_OF(f) OIT_BLEND_OVER
 #endif
-    return vec4(c * weight, thickness);
-}
 
 #if OIT_KEEPS
-// In units of 2^-26, with 16 more bits by carries: how many there are follows from the sum alone. A fragment makes less
-// than one, so that 65,535 fragments do not overflow.
 void oit_to_tail(uint p, oit_fragment f)
 {
-    uvec4 parts = uvec4(oit_tail_parts(f) * 67108864.0 + 0.5);
-    for (uint c = 0u; c < 4u; ++c) {
-        uint before = atomicAdd(oit_pixel[OIT_TAIL(p) + c], parts[c]);
-        if (before > 0xffffffffu - parts[c])
-            atomicAdd(oit_pixel[OIT_TAIL(p) + 4u + (c >> 1u)], 1u << (16u * (c & 1u)));
-    }
+    oit_add_to_tail(p, oit_tail_amounts(oit_finite(f.color), OIT_BLEND_OF(f), OIT_COVERED_NOW));
+}
+#elif OIT_TAIL_WORDS == 6
+// With the colour as it would be read back: what is stored of the same pixel is added by others from there.
+void oit_to_tail(uint p, oit_fragment f, uint w[OIT_VECTORS * OIT_LANES])
+{
+    uvec4 words = uvec4(w[OIT_AT_COLOR], w[OIT_AT_COLOR + 1], 0u, 0u);
+#if OIT_COLOR == OIT_COLOR_FLOAT
+    words.zw = uvec2(w[OIT_AT_COLOR + 2], w[OIT_AT_COLOR + 3]);
+#endif
+    oit_add_to_tail(p, oit_tail_amounts(oit_unpack_color(words), OIT_BLEND_OF(f), OIT_COVERED_NOW));
 }
 #else
 // Bits are shared out by the count of the pixel, so that no sum overflows.
@@ -278,7 +283,7 @@ void oit_to_tail(uint p, uint count, oit_fragment f)
 #elif OIT_ADAPTIVE
     scale /= f.color.a < 1.0 ? float(count) : 1.0;
 #endif
-    uvec4 parts = uvec4(oit_tail_parts(f) * scale + 0.5);
+    uvec4 parts = uvec4(oit_tail_amounts(oit_finite(f.color), OIT_BLEND_OF(f), OIT_COVERED_NOW) * scale + 0.5);
     atomicAdd(oit_pixel[OIT_TAIL(p)], parts.r);
     atomicAdd(oit_pixel[OIT_TAIL(p) + 1u], parts.g);
     atomicAdd(oit_pixel[OIT_TAIL(p) + 2u], parts.b);
@@ -286,6 +291,24 @@ void oit_to_tail(uint p, uint count, oit_fragment f)
 }
 #endif
 #endif
+#endif
+
+#if OIT_PASS == OIT_FILL && OIT_STORE == OIT_LINKED
+// Carnecky 2013, algorithm 1. A fragment for which the list is too small counts all the same.
+void oit_insert(uint p, oit_fragment f)
+{
+    uint w[OIT_VECTORS * OIT_LANES];
+    oit_pack(f, w);
+    uint slot = atomicAdd(oit_pixel[OIT_TAKEN], 1u);
+    if (slot >= oit_pool.z) {
+#if OIT_ASYNC
+        oit_to_tail(p, f, w);
+#endif
+        return;
+    }
+    w[OIT_AT_LINK] = atomicExchange(oit_pixel[OIT_HEAD(p)], slot + 1u);
+    oit_write(slot * uint(OIT_VECTORS), w);
+}
 #endif
 
 void oit_store(oit_fragment f)
@@ -300,7 +323,11 @@ void oit_store(oit_fragment f)
 #if OIT_KEEPS && OIT_PASS == OIT_COUNT
     oit_select(p, oit_key(f));
 #elif OIT_PASS == OIT_COUNT
-    atomicAdd(oit_pixel[OIT_LEFT(p)], 1u);
+    atomicAdd(oit_pixel[OIT_WANTED(p)], 1u);
+#elif OIT_STORE == OIT_FETCH
+    uint w[4];
+    oit_pack(f, w);
+    oit_put(p, uvec4(w[0], w[1], w[2], w[3]));
 #else
 #if OIT_KEEPS
     if (oit_key(f) >= oit_pixel[OIT_LIMIT(p)]) {
@@ -308,25 +335,44 @@ void oit_store(oit_fragment f)
         return;
     }
 #endif
-    uint left = atomicAdd(oit_pixel[OIT_LEFT(p)], 0xffffffffu);
-#if OIT_ASYNC
+    uint left = atomicAdd(oit_pixel[OIT_LEFT(p)], OIT_STORE == OIT_LINKED && OIT_DIRECT ? 1u : 0xffffffffu);
+#if OIT_ASYNC && (OIT_STORE == OIT_EXACT || OIT_STORE == OIT_LINKED)
     if (left >> 30u == 1u) { // OIT_UNFIT, and not what wraps below 0
-        uint count = oit_pixel[OIT_START(p + 1u)] - oit_pixel[OIT_START(p)];
-        if (left != OIT_UNFIT)
-            oit_to_tail(p, count, f);
-        else
+        if (left == OIT_UNFIT) {
             atomicAdd(oit_pixel[OIT_EXTRA], 1u);
+            return;
+        }
+#if OIT_TAIL_WORDS == 4
+        oit_to_tail(p, oit_pixel[OIT_START(p + 1u)] - oit_pixel[OIT_START(p)], f);
+#else
+        uint words[OIT_VECTORS * OIT_LANES];
+        oit_pack(f, words);
+        oit_to_tail(p, f, words);
+#endif
         return;
     }
 #endif
+#if OIT_STORE == OIT_LINKED
+    if (OIT_DIRECT || left - 1u < oit_pool.z)
+        oit_insert(p, f);
+    else
+        atomicAdd(oit_pixel[OIT_EXTRA], 1u);
+#else
     // Nothing is written outside of the run, however many fragments come: after as many as were counted, what is left is
     // 0, and then wraps to more than any pool holds.
+    uint w[OIT_VECTORS * OIT_LANES];
+    oit_pack(f, w);
     uint slot = oit_pixel[OIT_START(p)] + left - 1u - oit_pool.y;
     if (left - 1u >= oit_pool.z || slot >= oit_pool.z) {
+#if OIT_STORE != OIT_PREDICT
         atomicAdd(oit_pixel[OIT_EXTRA], 1u);
+#elif OIT_ASYNC
+        oit_to_tail(p, f, w);
+#endif
         return;
     }
-    oit_write(slot * uint(OIT_VECTORS), f);
+    oit_write(slot * uint(OIT_VECTORS), w);
+#endif
 #endif
 }
 

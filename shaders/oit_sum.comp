@@ -6,12 +6,6 @@ shared uint oit_sums[128];
 shared uint oit_most[128];
 shared uint oit_classes[5];
 
-// 0 for up to 8, then one more for each doubling.
-uint oit_class(uint count)
-{
-    return count <= 8u ? 0u : min(uint(findMSB(count - 1u)) - 2u, 4u);
-}
-
 void main()
 {
     uint block = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
@@ -22,7 +16,7 @@ void main()
     barrier();
     for (uint i = 0u; i < 8u; ++i) {
         uint p = block * OIT_BLOCK + 128u * i + self;
-        uint count = p < oit_pool.x ? oit_pixel[OIT_LEFT(p)] : 0u;
+        uint count = p < oit_pool.x ? oit_pixel[OIT_WANTED(p)] : 0u;
         sum = oit_add(sum, count);
         most = max(most, count);
         if (count > 0u)
@@ -38,10 +32,12 @@ void main()
         }
         barrier();
     }
-    if (self < 5u && oit_classes[self] > 0u)
+    bool known = OIT_STORE != OIT_PREDICT || !OIT_DIRECT; // what is only guessed is not reported
+    if (known && self < 5u && oit_classes[self] > 0u)
         atomicAdd(oit_pixel[OIT_PIXELS + self], oit_classes[self]);
     if (self == 0u && block < oit_pool.w) {
         oit_pixel[OIT_SUM(block)] = oit_sums[0];
-        atomicMax(oit_pixel[OIT_DEEPEST], oit_most[0]);
+        if (known)
+            atomicMax(oit_pixel[OIT_DEEPEST], oit_most[0]);
     }
 }

@@ -22,10 +22,19 @@ void main()
     if (end != start || oit_pixel[OIT_LIMIT(p)] == OIT_NONE)
         discard;
     vec4 sums = oit_tail_sums(p);
+#elif OIT_STORE == OIT_PREDICT
+    int left = OIT_TRUE_LEFT(oit_pixel[OIT_LEFT(p)]);
+    if ((end <= oit_pool.z && left >= 0) || int(end - start) == left)
+        discard;
+    vec4 sums = oit_tail_sums(p);
 #else
     if (end <= oit_pool.z || end == start)
         discard;
+#if OIT_TAIL_WORDS == 6
+    vec4 sums = oit_tail_sums(p);
+#else
     vec4 sums = oit_tail_sums(p, end - start);
+#endif
 #endif
     vec4 tail = oit_tail_light(sums);
     vec3 sum = tail.rgb;

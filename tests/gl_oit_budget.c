@@ -104,13 +104,14 @@ static void choose(const runs *all, size_t p, uint32_t k, int bits, bool has_par
     }
 }
 
-/* shaders/oit_frame_block.glsl: where the words of the stores that keep the k nearest lie, in units of 2^-26. */
+/* shaders/oit_frame_block.glsl: where the words of the stores that keep the k nearest lie: six words for the tail,
+ * limits, k + 1 keys, k buckets. */
 static size_t first_word(const runs *r) {
     return OIT_I_HEADER_WORDS + 2 + 2 * r->pixels + oit_i_blocks((int64_t)r->pixels);
 }
 
 static double tail_of(const runs *r, size_t p, int c) {
-    const uint32_t *at = r->pixel_words + first_word(r) + 6 * p;
+    const uint32_t *at = r->pixel_words + first_word(r) + 6 * p; /* in units of 2^-26 */
     double low = at[c], carries = at[4 + c / 2] >> 16 * (c % 2) & 0xffffu;
     return (low + 4294967296.0 * carries) / 67108864.0;
 }
@@ -141,11 +142,20 @@ static void use(oit_setting *t, oit_desc desc) {
         fail_msg("oit_create: %s", oit_result_string(result));
 }
 
-/* The store with k layers, by its budget. */
+static bool is_in_use(const oit_setting *t, const oit_desc *desc) {
+    const oit_desc *d = &t->oit->desc;
+    return d->store == desc->store && d->fields == desc->fields && d->color == desc->color && d->fit == desc->fit &&
+           d->host_words == desc->host_words && d->reversed_z == desc->reversed_z &&
+           d->bucket_depth_bits == desc->bucket_depth_bits;
+}
+
+/* The store with k layers, by its budget; which may change from frame to frame, as the size of the target may. */
 static void use_layers(oit_setting *t, oit_desc desc, int k) {
-    int64_t each = 24 + (desc.store == OIT_STORE_BUCKETED ? 12 : 4);  /* with a part or without */
-    desc.budget_bytes = (int64_t)k * t->width * t->height * each + 1; /* 0 is the default */
-    use(t, desc);
+    int64_t each = 24 + (desc.store == OIT_STORE_BUCKETED ? 12 : 4); /* with a part or without */
+    if (!is_in_use(t, &desc))
+        use(t, desc);
+    each = desc.host_words ? oit_get_info(t->oit).fragment_bytes + 4 : each;
+    t->oit->desc.budget_bytes = (int64_t)k * t->width * t->height * each + 1;
 }
 
 static float *draw(oit_setting *t, oit_scene *s, const size_t *order) {
@@ -505,6 +515,51 @@ static void test_one_ulp_apart(void **state) {
     free(s);
 }
 
+/* What it costs to choose by 16 bits of the depth (Murray 2016, section 4.2): nothing where no more than the k nearest share
+ * a step of 1/65534; else the part chooses among them, and of one part none is kept. Against the picture of 32 bits. */
+static void test_what_16_bits_cost(void **state) {
+    enum { LAYERS = 64, K = 8 };
+    (void)state;
+    oit_setting t;
+    oit_scene *s = malloc(sizeof *s);
+    open_setting(&t, false, 4, 4);
+    for (int power = 15; power <= 21; ++power)
+        for (int parts = 0; parts < 2; ++parts) {
+            uint32_t seed = 5;
+            float *pictures[2];
+            oit_report reports[2];
+            double error = 0;
+            oit_scene_init(s, 4, 4);
+            for (int i = 0; i < LAYERS; ++i) {
+                const double z = ldexp(i, 1 - power), zs[4] = {z, z, z, z}; /* window depth 0.5 + i 2^-power */
+                double color[4] = {0, 0, 0, 0.3};
+                for (int c = 0; c < 3; ++c)
+                    color[c] = oit_scene_random(&seed);
+                oit_scene_quad(s, -1, -1, 1, 1, zs, color);
+                s->objects[i].part = parts ? (uint32_t)(i * 37 % LAYERS) : 1;
+            }
+            for (int i = 0; i < 2; ++i) {
+                use_layers(&t, i ? bucketed_16 : bucketed, K);
+                pictures[i] = draw(&t, s, NULL);
+                reports[i] = report_of(&t);
+            }
+            for (int i = 0; i < 4 * 16; ++i)
+                error = fmax(error, fabs((double)pictures[0][i] - (double)pictures[1][i]));
+            printf("    2^-%d apart, %s: %2u and %2u of %d kept, error %.3g\n", power,
+                   parts ? "of 64 parts" : "of one part", LAYERS - reports[0].lost / 16, LAYERS - reports[1].lost / 16,
+                   LAYERS, error);
+            assert_int_equal(reports[0].lost, 16 * (LAYERS - K));
+            assert_true(power == 15 ? error == 0 && reports[1].lost == reports[0].lost : true);
+            assert_true(power == 21 ? error > 0.01 : true);
+            assert_true(power == 21 && !parts ? reports[1].lost == 16 * LAYERS : true);
+            free(pictures[0]);
+            free(pictures[1]);
+            oit_scene_drop(s);
+        }
+    oit_setting_close(&t);
+    free(s);
+}
+
 /* Sheets alike in every word before and behind others: all are kept, or none. */
 static void test_identical_layers(void **state) {
     (void)state;
@@ -540,7 +595,8 @@ static void test_alpha_extremes(void **state) {
     oit_scene_init(s, 8, 8);
     oit_scene_sheets(s, 1000, 1e-4, false);
     memset(s->scene.background, 0, sizeof s->scene.background);
-    check_reference(&t, s, budget, "1000 layers of 1e-4", 1e-5);
+    /* 1 - 1e-4 in a float is off by up to 3e-8, and each layer of the tail is cut off at 2^-26. */
+    check_reference(&t, s, budget, "1000 layers of 1e-4", 2e-5);
     oit_scene_drop(s);
     oit_scene_init(s, 8, 8);
     oit_scene_sheets(s, 24, 0.3, false);
@@ -551,6 +607,29 @@ static void test_alpha_extremes(void **state) {
         for (int c = 0; c < 3; ++c)
             s->truths[i].color[c] = s->scene.background[c] = 1;
     check_reference(&t, s, budget, "weights sum to one", 2e-6);
+    oit_scene_drop(s);
+    oit_setting_close(&t);
+    free(s);
+}
+
+/* Sums of the tail beyond 32 bits: opaque layers, each an optical depth of 11. */
+static void test_tail_carries(void **state) {
+    (void)state;
+    oit_setting t;
+    oit_scene *s = malloc(sizeof *s);
+    open_setting(&t, false, 4, 4);
+    oit_scene_init(s, 4, 4);
+    oit_scene_sheets(s, 300, 1, false);
+    float *whole = draw(&t, s, NULL);
+    runs all = read_runs(&t);
+    check_layers(&t, s, budget, 0, &all, whole);
+    runs held = read_runs(&t);
+    for (size_t p = 0; p < held.pixels; ++p)
+        assert_true(fabs(tail_of(&held, p, 3) - 3300) < 1e-3);
+    free_runs(&held);
+    check_layers(&t, s, budget, 7, &all, whole);
+    free(whole);
+    free_runs(&all);
     oit_scene_drop(s);
     oit_setting_close(&t);
     free(s);
@@ -664,35 +743,49 @@ static void test_passes_that_differ(void **state) {
 
 /* ---- buckets ---- */
 
-/* Murray 2016, section 4.1, on the CPU: the records of a pixel by part, and where that of each part lie in the table. */
-static void check_buckets(const runs *held, const uint32_t *data, size_t p, uint32_t k) {
-    size_t keys = first_word(held) + 7 * held->pixels + p * (k + 1);
-    size_t table = first_word(held) + (8 + (size_t)k) * held->pixels + 2 * p * k;
-    const uint32_t *order = held->pixel_words + keys, *slots = held->pixel_words + table;
-    uint32_t n = held->counts[p], parts = 0, used = 0;
-    for (uint32_t i = 0; i < n; ++i) {
-        const uint32_t *at = data + order[i] * held->words;
-        assert_true(order[i] >= held->starts[p] && order[i] < held->starts[p] + n);
-        for (uint32_t j = 0; j < i; ++j)
-            assert_true(order[j] != order[i]);
-        bool fresh = i == 0 || data[order[i - 1] * held->words + 1] != at[1];
-        parts += fresh;
-        sorted_words = held->words;
-        if (i > 0) /* by part, and by all words within one */
-            assert_true(fresh ? data[order[i - 1] * held->words + 1] < at[1]
-                              : compare_records(data + order[i - 1] * held->words, at) <= 0);
-        if (!fresh)
-            continue;
-        uint32_t slot = at[1] % k, count = 1;
-        while (slots[2 * slot + 1] != 0 && slots[2 * slot] != at[1])
+/* Murray 2016, section 4.1, on the CPU: parts in ascending order, each into slot part mod k or the next that is free. */
+static void expect_table(const runs *held, size_t p, uint32_t k, uint32_t *parts, uint32_t *counts) {
+    uint32_t n = held->counts[p], done = 0;
+    memset(counts, 0, k * sizeof *counts);
+    for (uint32_t least = 0; done < n; ++least) {
+        uint32_t part = 0xffffffffu, count = 0;
+        for (uint32_t i = 0; i < n; ++i) /* the next part */
+            if (record(held, p, i)[1] >= least && record(held, p, i)[1] < part)
+                part = record(held, p, i)[1];
+        for (uint32_t i = 0; i < n; ++i)
+            count += record(held, p, i)[1] == part;
+        uint32_t slot = part % k;
+        while (counts[slot] > 0)
             slot = (slot + 1) % k;
-        while (i + count < n && data[order[i + count] * held->words + 1] == at[1])
-            ++count;
-        assert_int_equal(slots[2 * slot + 1], i | count << 16);
+        parts[slot] = part;
+        counts[slot] = count;
+        done += count;
+        least = part;
     }
-    for (uint32_t i = 0; i < k; ++i)
-        used += slots[2 * i + 1] != 0;
-    assert_int_equal(used, parts);
+}
+
+/* The table, and the records of each bucket: those of its part, by all their words. */
+static void check_buckets(const runs *held, const uint32_t *data, size_t p, uint32_t k) {
+    const uint32_t *order = held->pixel_words + first_word(held) + 7 * held->pixels + p * (k + 1);
+    const uint32_t *slots = held->pixel_words + first_word(held) + (8 + (size_t)k) * held->pixels + 2 * p * k;
+    uint32_t parts[64], counts[64], next = 0;
+    expect_table(held, p, k, parts, counts);
+    sorted_words = held->words;
+    for (uint32_t slot = 0; slot < k; ++slot) {
+        if (counts[slot] == 0) {
+            assert_int_equal(slots[2 * slot + 1], 0);
+            continue;
+        }
+        assert_int_equal(slots[2 * slot], parts[slot]);
+        assert_int_equal(slots[2 * slot + 1], 0x80000000u | counts[slot] << 16 | next);
+        for (uint32_t i = 0, from = 0; i < counts[slot]; ++i, ++from) {
+            while (record(held, p, from)[1] != parts[slot])
+                ++from;
+            assert_memory_equal(record(held, p, from), data + order[next + i] * held->words, held->words * 4);
+        }
+        next += counts[slot];
+    }
+    assert_int_equal(next, held->counts[p]);
 }
 
 static const char *const asker =
@@ -700,7 +793,7 @@ static const char *const asker =
     "layout(std430, binding = 5) writeonly buffer answers { uvec4 answer[]; };\n"
     "void main() {\n"
     "    uint p = gl_WorkGroupID.x, part = gl_WorkGroupID.y * (gl_WorkGroupID.y < 5u ? 65537u : 1u), first, count;\n"
-    "    bool found = oit_find_bucket(p, part, first, count);\n"
+    "    bool found = oit_find_bucket(p, part, first, count) != 0u;\n"
     "    uint sum = 0u;\n"
     "    for (uint i = first; i < first + count; ++i) {\n"
     "        uint at = oit_bucket_record(p, i) * uint(OIT_VECTORS);\n"
@@ -798,8 +891,10 @@ int main(void) {
         cmocka_unit_test(test_pictures_match_the_reference),
         cmocka_unit_test(test_reversed_depth),
         cmocka_unit_test(test_one_ulp_apart),
+        cmocka_unit_test(test_what_16_bits_cost),
         cmocka_unit_test(test_identical_layers),
         cmocka_unit_test(test_alpha_extremes),
+        cmocka_unit_test(test_tail_carries),
         cmocka_unit_test(test_sizes),
         cmocka_unit_test(test_slabs_equal_the_whole),
         cmocka_unit_test(test_passes_that_differ),

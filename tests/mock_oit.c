@@ -469,6 +469,29 @@ static void test_bad_descs(void **state) {
     assert_int_equal(getter_call_count, 0);
 }
 
+/* What the stores that keep the k nearest are given. */
+static void test_bad_budgets(void **state) {
+    (void)state;
+    oit_desc desc = make_desc();
+    desc.store = OIT_STORE_BUDGET;
+    desc.budget_bytes = -1;
+    expect_refusal(&desc, OIT_INVALID_ARGUMENT);
+    expect_said("budget_bytes or layers is negative");
+    desc.budget_bytes = 0;
+    desc.layers = -1;
+    expect_refusal(&desc, OIT_INVALID_ARGUMENT);
+    expect_said("budget_bytes or layers is negative");
+    desc = make_desc();
+    desc.store = OIT_STORE_BUCKETED;
+    expect_refusal(&desc, OIT_INVALID_ARGUMENT);
+    expect_said("OIT_STORE_BUCKETED groups fragments by OIT_FIELD_PART, which is not chosen");
+    desc.fields = OIT_FIELD_PART;
+    desc.bucket_depth_bits = 24;
+    expect_refusal(&desc, OIT_INVALID_ARGUMENT);
+    expect_said("bucket_depth_bits is none of 0, 16 and 32");
+    assert_int_equal(getter_call_count, 0);
+}
+
 /* Without an allocator, a log function or a result the defaults serve. */
 static void test_defaults(void **state) {
     (void)state;
@@ -518,6 +541,7 @@ int main(void) {
         DRIVER_TEST(test_small_blocks_are_named),
         DRIVER_TEST(test_out_of_memory),
         DRIVER_TEST(test_bad_descs),
+        DRIVER_TEST(test_bad_budgets),
         DRIVER_TEST(test_defaults),
         DRIVER_TEST(test_null_contexts),
         DRIVER_TEST(test_result_strings),

@@ -115,15 +115,6 @@ static bool dump_oit_stage(const char *folder, const char *name, const char *suf
     return fclose(file) == 0;
 }
 
-/* Some are made for what was chosen alone. */
-static bool is_made(int program, const oit_desc *desc) {
-    if (program == OIT_I_PROGRAM_KEEP || program == OIT_I_PROGRAM_ARRANGE)
-        return oit_i_keeps(desc);
-    if (program >= OIT_I_PROGRAM_SAMPLED && program < OIT_I_PROGRAM_PICK)
-        return (desc->fields & OIT_FIELD_COVERAGE) != 0;
-    return true;
-}
-
 /* Every program of oit_buffers.h, and what hosts get, for one choice of what is stored. */
 static bool dump_oit(const char *folder, int choice, oit_desc desc, bool es) {
     static char preamble[OIT_I_MAX_PREAMBLE], scratch[OIT_I_NETWORK_CAPACITY];
@@ -131,8 +122,12 @@ static bool dump_oit(const char *folder, int choice, oit_desc desc, bool es) {
     bool ok = true;
     desc.uniform_binding = 14;
     oit_i_write_preamble(&desc, es, preamble, sizeof preamble);
+    if (desc.store == OIT_STORE_FETCH) /* which oit_create finds out */
+        strcat(preamble, "#define OIT_FETCHED 7\n");
     for (int program = 0; program < OIT_I_PROGRAMS; ++program)
-        for (int stage = 0; is_made(program, &desc) && stage < (oit_i_is_compute(program) ? 1 : 2); ++stage) {
+        for (int stage = 0; stage < (oit_i_is_compute(program) ? 1 : 2); ++stage) {
+            if (!oit_i_has_program(&desc, program))
+                continue;
             oit_i_source source;
             char name[64];
             oit_i_program_source(&source, program, (oit_stage)stage, &desc, es, preamble, scratch);
@@ -142,7 +137,7 @@ static bool dump_oit(const char *folder, int choice, oit_desc desc, bool es) {
     for (int fill = 0; fill < 2; ++fill) {
         oit_i_source source;
         char name[64];
-        oit_i_host_source(&source, OIT_FRAGMENT, fill, es, preamble);
+        oit_i_host_source(&source, OIT_FRAGMENT, fill, &desc, es, preamble);
         snprintf(name, sizeof name, "oit_host_%d_%d%s", fill, choice, es ? "_310es" : "_430");
         ok = ok && dump_oit_stage(folder, name, "frag", &source, "void main()\n{\n    oit_store(vec4(0.5));\n}\n");
     }
@@ -157,6 +152,16 @@ static bool dump_all_oit(const char *folder) {
         {.fit = OIT_FIT_WAIT, .fields = OIT_FIELD_BLEND | OIT_FIELD_KEY},
         {.fields = OIT_FIELD_COVERAGE | OIT_FIELD_BLEND, .sample_order = 1, .alpha_law = OIT_ALPHA_ADAPTIVE},
         {.fit = OIT_FIT_ASYNC, .color = OIT_COLOR_FLOAT, .premultiplied = 1, .alpha_law = OIT_ALPHA_ADAPTIVE},
+        {.store = OIT_STORE_PREDICT},
+        {.store = OIT_STORE_PREDICT, .fit = OIT_FIT_ASYNC, .fields = OIT_FIELD_ALL, .premultiplied = 1},
+        {.store = OIT_STORE_PREDICT, .fit = OIT_FIT_ASYNC, .color = OIT_COLOR_FLOAT, .host_words = 1},
+        {.store = OIT_STORE_LINKED},
+        {.store = OIT_STORE_FETCH, .fields = OIT_FIELD_BLEND},
+        {.store = OIT_STORE_LINKED, .fit = OIT_FIT_ASYNC, .fields = OIT_FIELD_ALL, .host_words = 2},
+        {.store = OIT_STORE_BUDGET, .reversed_z = 1},
+        {.store = OIT_STORE_BUDGET, .fit = OIT_FIT_ASYNC, .fields = OIT_FIELD_ALL, .premultiplied = 1},
+        {.store = OIT_STORE_BUCKETED, .fields = OIT_FIELD_PART, .color = OIT_COLOR_FLOAT},
+        {.store = OIT_STORE_BUCKETED, .fields = OIT_FIELD_ALL, .bucket_depth_bits = 16, .reversed_z = 1},
     };
     bool ok = true;
     for (int i = 0; ok && i < (int)(sizeof descs / sizeof descs[0]); ++i)
