@@ -150,6 +150,8 @@
    - Fog, depth of field, temporal anti-aliasing after glass: frame.depth = OIT_DEPTH_MEDIAN, and frame.depth_framebuffer
      the target itself, or a framebuffer with a copy of the opaque depth.
    - Surfaces with many layers that must not turn into a wall: desc.alpha_law = OIT_ALPHA_ADAPTIVE.
+   - A fixed price whatever is drawn: OIT_STORE_BUDGET; desc.layers bounds k where the budget would give more. With
+     OIT_STORE_BUCKETED and 16 bits of depth the count pass chooses by part as well: set fragment.part there too.
 
    MULTISAMPLED TARGETS
    With OIT_FIELD_COVERAGE, of 2 to OIT_MAX_SAMPLES samples. A fragment is stored once a pixel with the samples that it
@@ -308,7 +310,7 @@ typedef struct oit_desc {
     int sample_order; /* 1, with OIT_FIELD_COVERAGE: each sample is a fragment of its own; see MULTISAMPLED TARGETS */
     int headroom; /* OIT_STORE_PREDICT: places that a pixel gets beyond those that it or a neighbour needed in the frame
                      before, in sixteenths, rounded up; at most 64; 0: default 2; negative: none */
-    oit_alpha_law alpha_law; /* ADAPTIVE knows all of a pixel's fragments, so not with BUDGET, BUCKETED */
+    oit_alpha_law alpha_law; /* ADAPTIVE counts layers: with EXACT, and with PREDICT or LINKED where they wait */
 } oit_desc;
 
 typedef struct oit_info {
@@ -3212,8 +3214,9 @@ static const char *oit_i_bad_member(const oit_desc *desc) {
         return "OIT_FIELD_COVERAGE does not go with OIT_STATE_NONE: samples are the target's, which is not asked there";
     if ((unsigned)desc->alpha_law > (unsigned)OIT_ALPHA_ADAPTIVE)
         return "alpha_law is none of its enumerators";
-    if (desc->alpha_law == OIT_ALPHA_ADAPTIVE && oit_i_keeps(desc))
-        return "OIT_ALPHA_ADAPTIVE goes with stores that keep every fragment";
+    if (desc->alpha_law == OIT_ALPHA_ADAPTIVE && desc->store != OIT_STORE_EXACT &&
+        ((desc->store != OIT_STORE_PREDICT && desc->store != OIT_STORE_LINKED) || desc->fit == OIT_FIT_ASYNC))
+        return "OIT_ALPHA_ADAPTIVE goes with OIT_STORE_EXACT, and with PREDICT or LINKED where they wait";
     if (desc->sample_order && !(desc->fields & OIT_FIELD_COVERAGE))
         return "sample_order goes with OIT_FIELD_COVERAGE";
     if (desc->host_words < 0 || desc->host_words > OIT_MAX_HOST_WORDS)
@@ -4692,6 +4695,8 @@ static int oit_i_has_program(const oit_desc *desc, int program) {
         return desc->store == OIT_STORE_FETCH;
     if (desc->store == OIT_STORE_FETCH && (program == OIT_I_PROGRAM_SPREAD || program == OIT_I_PROGRAM_COUNT ||
                                            (program >= OIT_I_PROGRAM_COMPOSE && !oit_i_is_tail(program))))
+        return 0;
+    if (program >= OIT_I_PROGRAM_SAMPLED && program < OIT_I_PROGRAM_PICK && !(desc->fields & OIT_FIELD_COVERAGE))
         return 0;
     return program != OIT_I_PROGRAM_GATHER || desc->store == OIT_STORE_LINKED;
 }
