@@ -15,12 +15,14 @@
      together what one would, however many they are
    - draws into multisampled targets: order by pixel, coverage and the host's opaque depth by sample
    - tells which fragment lies at a pixel and a layer, and writes one depth for all of them, for passes that come after
+   - knows each fragment's neighbours along its surface, and draws from that silhouettes strengthened, halos before what
+     lies behind (Carnecky et al. 2013) and opacity and shade by curvature (Murray et al. 2016); and runs the host's own
+     operators on all fragments
    - works with the host's own shaders through one function call, and has shaders for hosts that have none
    - leaves the GL state as found, or tells the host which state each pass wants
 
    DOES NOT
    - create a context, or run where there are no compute shaders: macOS and WebGL 2 stay with transparency.h
-   - find neighbours along surfaces
 
    QUICK START, given a current context and its getter of function pointers
 
@@ -78,7 +80,7 @@
    GL FLOOR
    OpenGL 4.3 core or OpenGL ES 3.1, and of the limits at least (ES 3.1 lets a driver have no storage block in the
    fragment stage, so the version alone does not tell):
-   - GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS 2: the pixels and the fragments
+   - GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS 2: the pixels and the fragments; with operators 3
    - GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS 4 and GL_MAX_COMPUTE_WORK_GROUP_INVOCATIONS 128, for the prefix sum
    - GL_MAX_COMBINED_SHADER_OUTPUT_RESOURCES 4: those two blocks and colour outputs
    - GL_MAX_SHADER_STORAGE_BLOCK_SIZE 2^24 bytes
@@ -163,6 +165,53 @@
    GL_OES_sample_variables; oit_create says so. There is no OIT_STATE_NONE for it. In ES, call oit_store where control
    flow is uniform: it takes derivatives of the depth. The depth of the composite is one a pixel, in which a fragment
    hides by the share of samples that it covers, as it does in the tail.
+
+   OPERATORS, desc.operators and oit_run
+   Silhouettes that show through glass, in a frame whose frame.projection is set:
+
+       desc.operators = OIT_OPERATE_SMART;                          // at creation
+       ...
+       while (oit_next_pass(oit, &pass)) draw();
+       memset(&op, 0, sizeof op);
+       op.kind = OIT_RUN_LINK;  op.link.radius = 3.5f;              // of the scene's bounding sphere
+       oit_run(oit, &op);
+       op.kind = OIT_RUN_LAW;   op.law.kind = OIT_LAW_ADAPTIVE;     // optional; else alpha as it was stored
+       oit_run(oit, &op);
+       op.kind = OIT_RUN_SMART; op.smart.jumps = 1;
+       oit_run(oit, &op);
+       oit_compose(oit);
+
+   Shaders store normals in the space of the eye (fragment.normal), and the number of a connected surface (fragment.part):
+   fragments of two parts are never neighbours. Slopes of the depth are stored by oit_store itself; in ES call it where
+   control flow is uniform. Ribbons of feature lines go into the same buffer with OIT_BLEND_LINE (and OIT_FIELD_BLEND).
+   Operators need all of the image at once: in bands or slabs oit_run is refused, and the frame is composed without it.
+   Pixels whose run did not fit (OIT_FIT_ASYNC) have no fragments for them. The depth of the composite and picking go by
+   alpha as it was stored. Not with OIT_STORE_FETCH, OIT_FIELD_COVERAGE or desc.alpha_law.
+   JUMPS. Beta and gamma by equation 9 depend on the number of steps to the nearest source alone, which is what is kept: 16
+   bits each, exact. Iterated, each pass is one step. With smart.jumps a pass carries distances 32 pixels along rows, the
+   next along columns, and so on: never below the true distance, so never above the iterated field; each bend of a path
+   costs a round. smart.until_stable asks for as many rounds as iterations, of which those after the last change end at
+   once. Base is made smooth by two passes for each 50 iterations: the weights of so many steps along rows, then columns.
+   smart.thin is against silhouettes so dense that nothing but them is seen: a field ends within that share of the distance
+   between the boundary conditions on either side along the row, or along the column if that is less.
+
+   OPERATORS OF THE HOST'S
+   A compute shader of the strings of oit_operator_glsl() and a text that defines void oit_operate(uint p), which is called
+   once for each pixel p of the viewport (row by row from the bottom). A fragment is known by its slot:
+
+       uint oit_list(uint p, out uint first)        how many the pixel has; slots first, first + 1, ... from the eye on
+       float oit_depth(slot)  vec4 oit_color(slot)  bool oit_is_surface(slot)      window depth; color as stored
+       vec3 oit_normal(slot)  uint oit_part_of(slot)  vec2 oit_uv(slot)  vec2 oit_slope(slot)      where stored
+       uint oit_neighbour(p, slot, direction)       a slot, or OIT_NONE; OIT_LEFTWARD, _RIGHTWARD, _DOWNWARD, _UPWARD
+       bool oit_beside(p, direction, out uint q)    the pixel there; false where the image ends
+       float oit_value(which, slot)                 OIT_BASE, OIT_BETA, OIT_GAMMA (before profiles), OIT_KAPPA, OIT_HOST + k
+       void oit_set_value(which, slot, x)           OIT_BASE, OIT_HOST + k, of the own pixel
+       float oit_before(slot)  void oit_set_after(slot, x)      with host.iterations; set it for every fragment
+       vec3 oit_position(oit_device(p), depth)  vec3 oit_to_eye(oit_device(p))     in the space of the eye
+       OIT_STEP.x                                   which iteration
+
+   Uniforms of the host's own may have locations from 128 on, or none given. Storage bindings of ours are the three from
+   desc.first_storage_binding on; the last is the buffer of all values. Ours are written with the same functions.
 
    LIMITS AND PRECISION
    - Depths are gl_FragCoord.z in 32 bits: layers are told apart down to one unit in the last place.
@@ -311,6 +360,8 @@ typedef struct oit_desc {
     int headroom; /* OIT_STORE_PREDICT: places that a pixel gets beyond those that it or a neighbour needed in the frame
                      before, in sixteenths, rounded up; at most 64; 0: default 2; negative: none */
     oit_alpha_law alpha_law; /* ADAPTIVE counts layers: with EXACT, and with PREDICT or LINKED where they wait */
+    uint32_t operators;      /* OIT_OPERATE_*: what oit_run may be asked for; see OPERATORS */
+    int operator_fields;     /* numbers of the host's own for each fragment, kept between its operators; 4 bytes each */
 } oit_desc;
 
 typedef struct oit_info {
@@ -363,7 +414,9 @@ typedef struct oit_frame {
     float depth_threshold;      /* OIT_DEPTH_THRESHOLD: in ]0,1] */
     uint32_t depth_framebuffer; /* takes the depth, at the same viewport; see oit_depth */
     int depth_to_color;         /* 1: in its first draw buffer instead, which is of floats (R32F) */
-    int cut; /* 1: the picture has nothing to do with the one before; OIT_STORE_PREDICT counts first */
+    int cut;              /* 1: the picture has nothing to do with the one before; OIT_STORE_PREDICT counts first */
+    float projection[16]; /* column-major, of the transparent objects; needed by oit_run alone */
+    int zero_to_one; /* 1: it makes depths in [0,1], as for glClipControl(..., GL_ZERO_TO_ONE); needed by oit_run alone */
 } oit_frame;
 
 typedef enum oit_pass_kind {
@@ -383,6 +436,7 @@ typedef enum oit_pass_kind {
     OIT_PASS_SETTLE,  /* PREDICT: how many fragments came, and where they were too many */
     OIT_PASS_GATHER,  /* LINKED: lists copied into runs */
     OIT_PASS_LAY,     /* FETCH: the layers of a pass behind those before */
+    OIT_PASS_OPERATE, /* of oit_run */
     OIT_PASS_KIND_COUNT
 } oit_pass_kind;
 
@@ -460,6 +514,180 @@ OIT_DEF oit_result oit_pick_begin(oit_context *oit, int x, int y, int layer);
    frame that answers has ended. OIT_WRONG_ORDER: none is under way, or none that can be waited for. */
 OIT_DEF oit_result oit_pick_result(oit_context *oit, int wait, oit_pick *pick);
 
+/* ---- operators --------------------------------------------------------------------------------------------------- */
+
+/* Between the last pass of the host's and oit_compose, operators may work on all fragments of the image: Carnecky et al.
+   2013 (smart transparency; sections and equations below are theirs) and Murray et al. 2016 (curvature). Each oit_run is
+   one operator; they build on one another in the order in which they are run, and only for this frame:
+
+       LINK        neighbours along the surface, which the three below need
+       LAW         the opacity that a fragment starts with, "base"
+       SMART       silhouettes strengthened, halos before what lies behind: fields beta and gamma, base made smooth
+       CURVATURE   kappa of each fragment, and opacity and shade from it
+       HOST        a compute program of the host's
+
+   and oit_compose lays a fragment with opacity (1 - gamma)(base + (1 - base) beta) and shade(kappa) times its colour. What
+   was not run has no part in that; a frame without oit_run is composed as ever. Surfaces are the fragments of
+   OIT_BLEND_OVER; others are composed as they are. What oit_run may be asked for is chosen at creation: what is not costs
+   no byte and no program. Bytes are those of a fragment, in the buffer of the surfaces. */
+enum {
+    OIT_OPERATE_LINKS = 1, /* 8 (12 from 255 layers on), and 4 to 12 in the record: normal, part, slope of the depth */
+    OIT_OPERATE_LAW = 2,   /* 4 */
+    OIT_OPERATE_SMART = 4, /* 8; takes LINKS and LAW along */
+    OIT_OPERATE_CURVATURE = 8,  /* 4; takes LINKS and LAW along */
+    OIT_OPERATE_LOCAL = 16,     /* 4, shared with SMART: for HOST with iterations */
+    OIT_OPERATE_DIFFUSION = 32, /* 8: beta and gamma of SMART by equation 8 */
+    OIT_OPERATE_THIN = 64,      /* 8: smart.thin */
+    OIT_OPERATE_BUCKETS = 128   /* 4: OIT_SEARCH_BUCKETS */
+};
+#define OIT_OPERATE_ALL 255u
+#define OIT_MAX_OPERATOR_FIELDS 4
+
+/* When two fragments of one part, in pixels side by side, are neighbours: each is what the other likes best of that pixel
+   (section 4.4, figure 7b), by a measure of how little the surface would have to bend. */
+typedef enum oit_criterion {
+    OIT_LINK_DEPTH, /* equations 1 to 3: depth_weight times the distance, in radii, of the depth that the fragment's own
+                       slope predicts, plus normal_weight times 1 - n.n; none farther than limit (radii) */
+    OIT_LINK_UV,    /* distance in (u, v), none farther than limit; needs OIT_FIELD_UV */
+    OIT_LINK_PUBLISHED, /* as DEPTH, without limit, and both ways by the measure of one side (algorithm 2) */
+    OIT_LINK_MURRAY     /* 1 - n.n plus the difference of window depths squared; no limit (Murray 2016, section 5.1) */
+} oit_criterion;
+
+typedef enum oit_search {
+    OIT_SEARCH_WINDOWED, /* outward from the predicted depth, until depth alone is worse: the links of BRUTE. For DEPTH; the
+                            other criteria have no order to search by and are searched as by BRUTE */
+    OIT_SEARCH_BRUTE,  /* all pairs (k^2) */
+    OIT_SEARCH_BUCKETS /* all pairs within a part, found by runs that are grouped by part (Murray 2016, section 4) */
+} oit_search;
+
+typedef struct oit_link {
+    oit_criterion criterion;
+    oit_search search;
+    float depth_weight, normal_weight; /* not negative; both 0: default 0.5 and 0.5 */
+    float radius;                      /* of the scene's bounding sphere, units of the eye's space; 0: default 1 */
+    float limit;                       /* 0: default 0.05; negative: none */
+    int no_reverse_check;              /* 1: what one side likes best is its neighbour (Murray 2016, figure 5a) */
+    int count_pairs;                   /* 1: pairs that are compared are counted in the header of the buffer */
+} oit_link;
+
+/* Base, where |n.v| is the cosine between the normal and the direction to the eye, d the distance to the nearest
+   silhouette along the surface in pixels, m the number of surfaces of the pixel:
+
+       GIVEN      alpha as it was stored
+       CONSTANT   s                                          equation 4
+       ADAPTIVE   1 - (1 - s)^(1/m)                          equation 5: the m together make s
+       ANGLE      1 - (1 - s) |n.v|^exponent                 s where the surface faces the eye
+       VARIATION  1 - (1 - s) e^(-scale v)                   v: root of the sum of the squared differences of normals to
+                                                             the neighbours, those across a pixel halved; needs LINK
+       DISTANCE   1 - (1 - s) min(1, d/reach)^exponent       needs SMART, with beta.iterations of reach or more */
+typedef enum oit_law_kind {
+    OIT_LAW_GIVEN,
+    OIT_LAW_CONSTANT,
+    OIT_LAW_ADAPTIVE,
+    OIT_LAW_ANGLE,
+    OIT_LAW_VARIATION,
+    OIT_LAW_DISTANCE
+} oit_law_kind;
+
+typedef struct oit_law {
+    oit_law_kind kind;
+    float s;        /* in [0,1]; 0: default 0.3; negative: 0 */
+    float exponent; /* 0: default 1 */
+    float scale;    /* VARIATION; 0: default 4 */
+    float reach;    /* DISTANCE, pixels; 0: default 20 */
+} oit_law;
+
+/* How a field spreads from its boundary conditions (section 5.4). */
+typedef enum oit_process {
+    OIT_PROCESS_DEFAULT,   /* DIFFUSION for base, GREATEST for beta and gamma */
+    OIT_PROCESS_DIFFUSION, /* equation 8 with 1/8 of the sum of differences; beta and gamma: OIT_OPERATE_DIFFUSION */
+    OIT_PROCESS_GREATEST   /* equation 9; not for base */
+} oit_process;
+
+typedef enum oit_profile {
+    OIT_PROFILE_NONE,
+    OIT_PROFILE_10, /* (e^(-p (1-u)^2) - e^-p) / (1 - e^-p), and its limit 1 - (1-u)^2 for p = 0 */
+    OIT_PROFILE_11  /* u^p */
+} oit_profile;
+
+typedef struct oit_spread {
+    oit_process process;
+    int iterations;      /* at most 65533; 0: default 20; negative: none */
+    float lambda;        /* in [0,1]; 0: default 1 for base, 0.05 for beta, 0.1 for gamma; negative: 0 */
+    oit_profile profile; /* of beta and gamma */
+    float p;             /* 0: default 3 with OIT_PROFILE_10, 0.3 with 11; negative: 0 */
+} oit_spread;
+
+typedef struct oit_smart {
+    oit_spread base, beta, gamma; /* where no LAW was run, base starts as GIVEN */
+    int jumps; /* 1: few passes that go far along rows and columns instead of one an iteration; see JUMPS */
+    int rounds; /* of jumps: a pass along rows and one along columns; 0: default what reaches without a bend, and 3 for bends */
+    int until_stable; /* 1: as many rounds as are needed: beta and gamma as iterated, exactly */
+    float thin;       /* beta and gamma reach no farther than this share of the surface's width there; 0: any (paper) */
+    int published;    /* 1: the paper's own: mean of four in equation 8, equation 9 without b, plain layer indices, and
+                         algorithm 3 as printed, whose weights do not sum to 1; iterated */
+} oit_smart;
+
+/* Transfer functions (Murray 2016, section 5.2), interpolated between their entries. */
+#define OIT_TRANSFER_SHADES 32
+#define OIT_TRANSFER_CURVATURES 32
+#define OIT_TRANSFER_DEPTHS 16
+
+typedef enum oit_shade {
+    OIT_SHADE_NONE,
+    OIT_SHADE_CONVEX, /* brightens what is convex, darkens what is concave (figure 6a) */
+    OIT_SHADE_CURVED  /* bright where curved, dark where flat (figure 6b) */
+} oit_shade;
+
+typedef enum oit_opacity {
+    OIT_OPACITY_NONE,  /* base is left as it is */
+    OIT_OPACITY_FRONT, /* clear where flat and near; grows fast with depth (figure 7a) */
+    OIT_OPACITY_DEEP   /* clear where flat, over a wider range of depth (figure 7b) */
+} oit_opacity;
+
+typedef struct oit_curvature {
+    float unit; /* length whose reciprocal is a curvature of 1, units of the eye's space; 0: per pixel, as published */
+    oit_shade shade;
+    oit_opacity opacity;
+    const float *shades;    /* instead: OIT_TRANSFER_SHADES rgb factors, for kappa from -1 to 1 */
+    const float *opacities; /* instead: OIT_TRANSFER_DEPTHS rows, near to far, of OIT_TRANSFER_CURVATURES opacities in
+                               [0,1] for |kappa| from 0 to 1; kept in 16 bits */
+    float first, last;      /* distances along the view that are the depths 0 and 1; both 0: those of the projection */
+} oit_curvature;
+
+/* The values of a fragment, by the names that shaders have for them: OIT_BASE, ..., OIT_HOST + k. */
+typedef enum oit_value { OIT_VALUE_BASE, OIT_VALUE_BETA, OIT_VALUE_GAMMA, OIT_VALUE_KAPPA, OIT_VALUE_HOST } oit_value;
+
+/* Section 4.5. Without iterations the program runs once: purely local (it looks at a pixel's list) or global; it may write
+   OIT_BASE and OIT_HOST + k of the fragments of its own pixel, and reads there what was before it only in its own pixel.
+   With iterations, a local operator: `value` (BASE or HOST + k) goes from oit_before() to oit_set_after(), n times. */
+typedef struct oit_host_operator {
+    uint32_t program; /* of oit_operator_glsl() and `void oit_operate(uint p)`, linked; it stays the host's */
+    int iterations;   /* 0: once, without oit_before and oit_set_after */
+    int value;        /* what it makes: OIT_VALUE_BASE, which is GIVEN where no LAW was run, or OIT_VALUE_HOST + k */
+} oit_host_operator;
+
+typedef enum oit_run_kind { OIT_RUN_LINK, OIT_RUN_LAW, OIT_RUN_SMART, OIT_RUN_CURVATURE, OIT_RUN_HOST } oit_run_kind;
+
+typedef struct oit_operator {
+    oit_run_kind kind; /* only the member of that kind is looked at */
+    oit_link link;
+    oit_law law;
+    oit_smart smart;
+    oit_curvature curvature;
+    oit_host_operator host;
+} oit_operator;
+
+/* After oit_next_pass has returned 0, before oit_compose. The first run of a frame sorts, too. Under OIT_STATE_NONE the
+   passes of it come from oit_next_pass after this, before anything else is called. Makes programs when they are first
+   needed. On failure the frame goes on as if it had not been called: OIT_INVALID_ARGUMENT (what was not chosen, a number
+   out of range, frame.projection missing), OIT_WRONG_ORDER (what it builds on was not run), OIT_TOO_LARGE (the image is
+   drawn in bands or slabs: operators need all of it at once), OIT_OUT_OF_MEMORY, OIT_SHADER_FAILED. */
+OIT_DEF oit_result oit_run(oit_context *oit, const oit_operator *op);
+/* Strings (with #version) to put before the host's text, which defines `void oit_operate(uint p)`, called for each pixel;
+   see OPERATORS OF THE HOST'S. Valid as long as the context; NULL without operators. */
+OIT_DEF const char *const *oit_operator_glsl(const oit_context *oit, int *count);
+
 /* Uniforms of the built-in surface programs. */
 typedef struct oit_material {
     float model_view_projection[16]; /* column-major */
@@ -469,7 +697,8 @@ typedef struct oit_material {
     uint32_t blend;                  /* OIT_BLEND_*, where OIT_FIELD_BLEND is chosen */
 } oit_material;
 
-enum { OIT_BLEND_OVER, OIT_BLEND_ADD, OIT_BLEND_MULTIPLY };
+/* LINE: of a feature line: laid over as OVER is, and no surface: operators give it no layer index, links or fields. */
+enum { OIT_BLEND_OVER, OIT_BLEND_ADD, OIT_BLEND_MULTIPLY, OIT_BLEND_LINE };
 
 /* For objects drawn with the built-in program; call it after oit_next_pass, before the draw call. */
 OIT_DEF void oit_set_material(oit_context *oit, const oit_pass *pass, const oit_material *material);
@@ -1391,6 +1620,1172 @@ static const char *const oit_i_shader_oit_lay_frag[] = {
     "    oit_seen = uvec2(0u);\n"
     "}\n",
     0};
+static const char *const oit_i_shader_oit_operator_glsl[] = {
+    "#line 1\n"
+    "// For: oit_buffers.h\n"
+    "// What operators are written with, ours and the host's (Carnecky 2013, section 4.5). A fragment is known by its slot: those\n"
+    "// of a pixel are first, first + 1, ... from the eye on. After oit_ordered.glsl. The buffer of the surfaces stands at the\n"
+    "// binding point of the reports.\n"
+    "#ifdef OIT_COMPOSES\n"
+    "layout(std430, binding = OIT_BINDING_REPORT) readonly buffer oit_surfaces { uint oit_surface[]; };\n"
+    "#else\n"
+    "layout(local_size_x = 8, local_size_y = 8) in;\n"
+    "layout(std430, binding = OIT_BINDING_REPORT) buffer oit_surfaces { uint oit_surface[]; };\n"
+    "#endif\n"
+    "// Where the sections lie in it, a word a fragment each; 0: there is none.\n"
+    "layout(location = 0) uniform highp uvec4 oit_at[6];\n"
+    "#define OIT_IN_ORDER oit_at[0].x   // number of the record\n"
+    "#define OIT_IN_LINKS oit_at[0].y   // left, right, down, up: layers of the neighbours in their pixels, 8 bits each\n"
+    "#define OIT_IN_FAR_LINKS oit_at[0].z // not 0: 16 bits each, the last two here\n"
+    "#define OIT_IN_REACH oit_at[0].w   // beta, gamma: steps to the nearest source, 16 bits each\n"
+    "#define OIT_IN_BASE oit_at[1].x\n"
+    "#define OIT_IN_KAPPA oit_at[1].y\n"
+    "#define OIT_IN_BETA oit_at[1].z    // where it is diffused\n"
+    "#define OIT_IN_GAMMA oit_at[1].w\n"
+    "#define OIT_IN_BEFORE oit_at[2].x  // what goes on to OIT_IN_AFTER\n"
+    "#define OIT_IN_AFTER oit_at[2].y\n"
+    "#define OIT_IN_SIZES oit_at[2].z   // how far the surface goes on to the left, right, down, up, 16 bits each; two words\n"
+    "#define OIT_IN_GROUPED oit_at[2].w // layers by part, then depth\n"
+    "#define OIT_IN_HOST oit_at[3]\n"
+    "#define OIT_STEP oit_at[4]         // of the operator's own\n"
+    "#define OIT_EXTRA_STEP oit_at[5]\n"
+    "layout(location = 8) uniform highp vec4 oit_set[8]; // 0 to 3: of the operator's own\n"
+    "\n"
+    "#define OIT_LEFTWARD 0u\n"
+    "#define OIT_RIGHTWARD 1u\n"
+    "#define OIT_DOWNWARD 2u\n"
+    "#define OIT_UPWARD 3u\n"
+    "#define OIT_UNREACHED 65535u\n"
+    "#define OIT_BLOCKED 65534u // kept at 0: nothing passes\n"
+    "\n"
+    "// How many fragments pixel p has, and the first of their slots. A pixel whose run did not fit has none.\n"
+    "uint oit_list(uint p, out uint first)\n"
+    "{\n"
+    "    uint base, n;\n"
+    "    bool fits = oit_find_run(p, base, n);\n"
+    "    first = base / uint(OIT_VECTORS);\n"
+    "    return fits ? n : 0u;\n"
+    "}\n"
+    "\n"
+    "uint oit_record(uint slot)\n"
+    "{\n"
+    "    return oit_surface[OIT_IN_ORDER + slot] * uint(OIT_VECTORS);\n"
+    "}\n"
+    "\n"
+    "float oit_record_window_depth(uint at)\n"
+    "{\n"
+    "#if OIT_REVERSED_Z\n"
+    "    return uintBitsToFloat(0x7fffffffu - oit_record_depth(at));\n"
+    "#else\n"
+    "    return uintBitsToFloat(oit_record_depth(at));\n"
+    "#endif\n"
+    "}\n"
+    "\n"
+    "uint oit_record_blend(uint at)\n"
+    "{\n"
+    "#if OIT_HAS_BLEND && OIT_COLOR == OIT_COLOR_8\n"
+    "    return OIT_WORD(at, OIT_AT_COLOR) >> 30u;\n"
+    "#elif OIT_HAS_BLEND\n"
+    "    return OIT_WORD(at, OIT_AT_BLEND) & 255u;\n"
+    "#else\n"
+    "    return 0u;\n"
+    "#endif\n"
+    "}\n"
+    "\n"
+    "vec4 oit_record_color(uint at)\n"
+    "{\n"
+    "#if OIT_COLOR == OIT_COLOR_FLOAT\n"
+    "    return oit_unpack_color(uvec4(OIT_WORD(at, OIT_AT_COLOR), OIT_WORD(at, OIT_AT_COLOR + 1), OIT_WORD(at, OIT_AT_COLOR + 2),\n"
+    "                                  OIT_WORD(at, OIT_AT_COLOR + 3)));\n"
+    "#else\n"
+    "    return oit_unpack_color(uvec4(OIT_WORD(at, OIT_AT_COLOR), OIT_WORD(at, OIT_AT_COLOR + 1), 0u, 0u));\n"
+    "#endif\n"
+    "}\n"
+    "\n"
+    "#if OIT_HAS_NORMAL\n"
+    "vec3 oit_record_normal(uint at)\n"
+    "{\n"
+    "    vec2 folded = unpackSnorm2x16(OIT_WORD(at, OIT_AT_NORMAL));\n"
+    "    vec3 n = vec3(folded, 1.0 - abs(folded.x) - abs(folded.y));\n"
+    "    float under = max(-n.z, 0.0);\n"
+    "    n.xy -= vec2(n.x >= 0.0 ? under : -under, n.y >= 0.0 ? under : -under);\n"
+    "    return normalize(n);\n"
+    "}\n"
+    "#endif\n"
+    "\n"
+    "// ---- of a fragment ----\n"
+    "\n"
+    "float oit_depth(uint slot) // window depth\n"
+    "{\n"
+    "    return oit_record_window_depth(oit_record(slot));\n"
+    "}\n"
+    "\n"
+    "vec4 oit_color(uint slot) // as it was stored\n"
+    "{\n"
+    "    return oit_record_color(oit_record(slot));\n"
+    "}\n"
+    "\n"
+    "bool oit_is_surface(uint slot)\n"
+    "{\n"
+    "#if OIT_HAS_BLEND\n"
+    "    return oit_record_blend(oit_record(slot)) == 0u;\n"
+    "#else\n"
+    "    return true;\n"
+    "#endif\n"
+    "}\n"
+    "\n"
+    "#if OIT_HAS_NORMAL\n"
+    "vec3 oit_normal(uint slot)\n"
+    "{\n"
+    "    return oit_record_normal(oit_record(slot));\n"
+    "}\n"
+    "#endif\n"
+    "#if OIT_HAS_PART\n"
+    "uint oit_part_of(uint slot)\n"
+    "{\n"
+    "    return OIT_WORD(oit_record(slot), OIT_AT_PART);\n"
+    "}\n"
+    "#endif\n"
+    "#if OIT_HAS_UV\n"
+    "vec2 oit_uv(uint slot)\n"
+    "{\n",
+    "#line 128\n"
+    "    uint at = oit_record(slot);\n"
+    "    return vec2(uintBitsToFloat(OIT_WORD(at, OIT_AT_UV)), uintBitsToFloat(OIT_WORD(at, OIT_AT_UV + 1)));\n"
+    "}\n"
+    "#endif\n"
+    "#if OIT_HAS_SLOPE\n"
+    "vec2 oit_slope(uint slot) // of the window depth, a pixel to the right and a pixel up\n"
+    "{\n"
+    "    return unpackHalf2x16(OIT_WORD(oit_record(slot), OIT_AT_SLOPE)) * (1.0 / 4096.0);\n"
+    "}\n"
+    "#endif\n"
+    "\n"
+    "// ---- neighbours ----\n"
+    "\n"
+    "// The pixel beside p; false: the image ends there.\n"
+    "bool oit_beside(uint p, uint direction, out uint q)\n"
+    "{\n"
+    "    uint width = uint(oit_area.z);\n"
+    "    q = direction == OIT_LEFTWARD ? p - 1u : direction == OIT_RIGHTWARD ? p + 1u : direction == OIT_DOWNWARD ? p - width : p + width;\n"
+    "    if (direction < 2u)\n"
+    "        return direction == OIT_LEFTWARD ? p % width != 0u : q % width != 0u;\n"
+    "    return direction == OIT_DOWNWARD ? p >= width : q < oit_pool.x;\n"
+    "}\n"
+    "\n"
+    "// Layer of the neighbour within its pixel; OIT_NONE: there is no neighbour.\n"
+    "uint oit_link(uint slot, uint direction)\n"
+    "{\n"
+    "    bool wide = OIT_IN_FAR_LINKS != 0u; // without a branch: some drivers go both ways\n"
+    "    uint word = oit_surface[(wide && direction >= 2u ? OIT_IN_FAR_LINKS : OIT_IN_LINKS) + slot];\n"
+    "    uint none = wide ? 65535u : 255u, layer = word >> (wide ? 16u * (direction & 1u) : 8u * direction) & none;\n"
+    "    return layer == none ? OIT_NONE : layer;\n"
+    "}\n"
+    "\n"
+    "// Slot of the neighbour of a fragment of pixel p, or OIT_NONE.\n"
+    "uint oit_neighbour(uint p, uint slot, uint direction)\n"
+    "{\n"
+    "    uint layer = oit_link(slot, direction), q, first;\n"
+    "    if (layer == OIT_NONE || !oit_beside(p, direction, q))\n"
+    "        return OIT_NONE;\n"
+    "    oit_list(q, first);\n"
+    "    return first + layer;\n"
+    "}\n"
+    "\n"
+    "// ---- values ----\n"
+    "\n"
+    "#define OIT_BASE 0u\n"
+    "#define OIT_BETA 1u\n"
+    "#define OIT_GAMMA 2u\n"
+    "#define OIT_KAPPA 3u\n"
+    "#define OIT_HOST 4u // + k\n"
+    "\n"
+    "// Of equation 9 after n steps from 1 at the sources: the distance says it all.\n"
+    "float oit_reached(uint distance, uint n, float lambda)\n"
+    "{\n"
+    "    return distance <= n ? max(1.0 - lambda * float(distance), 0.0) : 0.0;\n"
+    "}\n"
+    "\n"
+    "// What lambda has to be for a field to end within its share of the surface's width (oit_set[7].z), which is the distance\n"
+    "// between the fragments with boundary conditions on either side along the row, or the column if that is less. Distances\n"
+    "// beyond oit_set[7].w are not known for certain: there it is wide.\n"
+    "float oit_steepest(uint slot, float lambda)\n"
+    "{\n"
+    "    float width = 1.0e9;\n"
+    "    for (uint axis = 0u; axis < 2u; ++axis) {\n"
+    "        uint word = oit_surface[(axis == 0u ? OIT_IN_SIZES : OIT_EXTRA_STEP.z) + slot];\n"
+    "        uvec2 sides = uvec2(word & 65535u, word >> 16u);\n"
+    "        if (float(max(sides.x, sides.y)) <= oit_set[7].w)\n"
+    "            width = min(width, float(sides.x + sides.y));\n"
+    "    }\n"
+    "    return max(lambda, 1.0 / max(oit_set[7].z * width, 1.0));\n"
+    "}\n"
+    "\n"
+    "uint oit_steps(uint slot, bool gamma)\n"
+    "{\n"
+    "    return oit_surface[OIT_IN_REACH + slot] >> (gamma ? 16u : 0u) & 65535u;\n"
+    "}\n"
+    "\n"
+    "// A value before its profile.\n"
+    "float oit_value(uint which, uint slot)\n"
+    "{\n"
+    "    if (which >= OIT_HOST)\n"
+    "        return uintBitsToFloat(oit_surface[OIT_IN_HOST[which - OIT_HOST] + slot]);\n"
+    "    if (which == OIT_BASE)\n"
+    "        return uintBitsToFloat(oit_surface[OIT_IN_BASE + slot]);\n"
+    "    if (which == OIT_KAPPA)\n"
+    "        return uintBitsToFloat(oit_surface[OIT_IN_KAPPA + slot]);\n"
+    "    bool gamma = which == OIT_GAMMA;\n"
+    "    uint diffused = gamma ? OIT_IN_GAMMA : OIT_IN_BETA;\n"
+    "    if (diffused != 0u)\n"
+    "        return uintBitsToFloat(oit_surface[diffused + slot]);\n"
+    "    float lambda = gamma ? oit_set[7].y : oit_set[7].x;\n"
+    "    if (oit_set[7].z > 0.0)\n"
+    "        lambda = oit_steepest(slot, lambda);\n"
+    "    return oit_reached(oit_steps(slot, gamma), gamma ? OIT_EXTRA_STEP.y : OIT_EXTRA_STEP.x, lambda);\n"
+    "}\n"
+    "\n"
+    "#ifndef OIT_COMPOSES\n"
+    "// OIT_BASE and OIT_HOST + k; NaN and infinities become 0, and base is cut to [0,1].\n"
+    "void oit_set_value(uint which, uint slot, float x)\n"
+    "{\n"
+    "    uint bits = floatBitsToUint(x);\n"
+    "    x = (bits & 0x7f800000u) == 0x7f800000u ? 0.0 : x;\n"
+    "    if (which == OIT_BASE)\n"
+    "        oit_surface[OIT_IN_BASE + slot] = floatBitsToUint(clamp(x, 0.0, 1.0));\n"
+    "    else\n",
+    "#line 232\n"
+    "        oit_surface[OIT_IN_HOST[which - OIT_HOST] + slot] = floatBitsToUint(x);\n"
+    "}\n"
+    "\n"
+    "// Of an operator with iterations.\n"
+    "float oit_before(uint slot)\n"
+    "{\n"
+    "    return uintBitsToFloat(oit_surface[OIT_IN_BEFORE + slot]);\n"
+    "}\n"
+    "\n"
+    "void oit_set_after(uint slot, float x)\n"
+    "{\n"
+    "    uint bits = floatBitsToUint(x);\n"
+    "    oit_surface[OIT_IN_AFTER + slot] = (bits & 0x7f800000u) == 0x7f800000u ? 0u : bits;\n"
+    "}\n"
+    "#endif\n"
+    "\n"
+    "// ---- where a fragment is ----\n"
+    "\n"
+    "// Distance along the view of a window depth: equations of clip z and w solved for the eye's z, by oit_i_operator_view.\n"
+    "float oit_distance(float depth)\n"
+    "{\n"
+    "    return (oit_set[4].x + oit_set[4].y * depth) / (oit_set[4].z + oit_set[4].w * depth);\n"
+    "}\n"
+    "\n"
+    "vec2 oit_device(uint p)\n"
+    "{\n"
+    "    uint width = uint(oit_area.z);\n"
+    "    return (2.0 * vec2(float(p % width), float(p / width)) + 1.0) / vec2(oit_area.zw) - 1.0;\n"
+    "}\n"
+    "\n"
+    "// In the space of the eye.\n"
+    "vec3 oit_position(vec2 device, float depth)\n"
+    "{\n"
+    "    float z = -oit_distance(depth);\n"
+    "    return vec3(device * (oit_set[6].x * z + oit_set[6].y) * oit_set[5].xy - oit_set[5].zw * z - oit_set[6].zw, z);\n"
+    "}\n"
+    "\n"
+    "// Toward the eye: how x and y change along the ray of a pixel, by z.\n"
+    "vec3 oit_to_eye(vec2 device)\n"
+    "{\n"
+    "    return normalize(vec3(device * oit_set[6].x * oit_set[5].xy - oit_set[5].zw, 1.0));\n"
+    "}\n"
+    "\n"
+    "#ifndef OIT_COMPOSES\n"
+    "void oit_operate(uint p);\n"
+    "\n"
+    "#ifndef OIT_OWN_MAIN\n"
+    "void main()\n"
+    "{\n"
+    "    uvec2 where = gl_GlobalInvocationID.xy;\n"
+    "    if (where.x < uint(oit_area.z) && where.y < uint(oit_area.w))\n"
+    "        oit_operate(where.y * uint(oit_area.z) + where.x);\n"
+    "}\n"
+    "#endif\n"
+    "#endif\n",
+    0};
+static const char *const oit_i_shader_oit_operator_bound_comp[] = {
+    "#line 1\n"
+    "// For: oit_buffers.h\n"
+    "// Boundary conditions of beta and gamma (Carnecky 2013, section 5.3): a missing neighbour (red) makes beta 1, being\n"
+    "// underneath (green) keeps it 0, being before (blue) makes gamma 1. By layer indices, surfaces only, and without the\n"
+    "// differences that linked surfaces make which merely change places: what is left is surfaces that begin on the way to the\n"
+    "// neighbour less those that end on it. OIT_STEP.x: 1: plain indices, and nothing is kept at 0 (published).\n"
+    "\n"
+    "// Of those before `layer` in the list: how many are surfaces without a link that way; or, published, how many surfaces.\n"
+    "// Kept from one call to the next, since layers mostly ascend.\n"
+    "struct oit_ends\n"
+    "{\n"
+    "    uint layer, count;\n"
+    "};\n"
+    "\n"
+    "uint oit_is_end(uint slot, uint direction)\n"
+    "{\n"
+    "    if (!oit_is_surface(slot))\n"
+    "        return 0u;\n"
+    "    return OIT_STEP.x != 0u || oit_link(slot, direction) == OIT_NONE ? 1u : 0u;\n"
+    "}\n"
+    "\n"
+    "uint oit_ends_before(inout oit_ends ends, uint first, uint layer, uint direction)\n"
+    "{\n"
+    "    for (; ends.layer < layer; ++ends.layer)\n"
+    "        ends.count += oit_is_end(first + ends.layer, direction);\n"
+    "    for (; ends.layer > layer; --ends.layer)\n"
+    "        ends.count -= oit_is_end(first + ends.layer - 1u, direction);\n"
+    "    return ends.count;\n"
+    "}\n"
+    "\n"
+    "// Bits by fragment: 1: a link is missing, 2: an index falls, 4: one rises. Collected in the word of the reach.\n"
+    "void oit_bound_along(uint p, uint first, uint n, uint direction)\n"
+    "{\n"
+    "    uint q, other;\n"
+    "    if (!oit_beside(p, direction, q))\n"
+    "        return;\n"
+    "    oit_list(q, other);\n"
+    "    oit_ends there = oit_ends(0u, 0u);\n"
+    "    uint here = 0u;\n"
+    "    for (uint i = 0u; i < n; ++i) {\n"
+    "        uint layer = oit_link(first + i, direction), bits = 1u;\n"
+    "        if (layer != OIT_NONE) {\n"
+    "            uint ends = oit_ends_before(there, other, layer, direction ^ 1u);\n"
+    "            bits = ends > here ? 4u : ends < here ? 2u : 0u;\n"
+    "        }\n"
+    "        here += oit_is_end(first + i, direction);\n"
+    "        oit_surface[OIT_IN_REACH + first + i] |= bits;\n"
+    "    }\n"
+    "}\n"
+    "\n"
+    "void oit_operate(uint p)\n"
+    "{\n"
+    "    uint first, n = oit_list(p, first);\n"
+    "    for (uint i = 0u; i < n; ++i)\n"
+    "        oit_surface[OIT_IN_REACH + first + i] = 0u;\n"
+    "    for (uint direction = 0u; direction < 4u; ++direction)\n"
+    "        oit_bound_along(p, first, n, direction);\n"
+    "    for (uint i = 0u; i < n; ++i) {\n"
+    "        uint slot = first + i, bits = oit_is_surface(slot) ? oit_surface[OIT_IN_REACH + slot] : 0u;\n"
+    "        bool missing = (bits & 1u) != 0u, under = (bits & 2u) != 0u && OIT_STEP.x == 0u, before = (bits & 4u) != 0u;\n"
+    "        oit_surface[OIT_IN_REACH + slot] =\n"
+    "            (missing ? 0u : under ? OIT_BLOCKED : OIT_UNREACHED) | (before ? 0u : OIT_UNREACHED) << 16u;\n"
+    "        if (OIT_IN_BETA != 0u)\n"
+    "            oit_surface[OIT_IN_BETA + slot] = floatBitsToUint(missing ? 1.0 : 0.0);\n"
+    "        if (OIT_IN_GAMMA != 0u)\n"
+    "            oit_surface[OIT_IN_GAMMA + slot] = floatBitsToUint(before ? 1.0 : 0.0);\n"
+    "    }\n"
+    "    if (p == 0u) // the passes of jumps that come first find that something has changed\n"
+    "        for (uint i = 4u; i < 8u; ++i)\n"
+    "            oit_surface[i] = 1u;\n"
+    "}\n",
+    0};
+static const char *const oit_i_shader_oit_operator_chain_comp[] = {
+    "#line 1\n"
+    "// For: oit_buffers.h\n"
+    "// Many iterations of equation 8 at once, along rows or along columns: the binomial weights of so many steps, over the\n"
+    "// fragments that up to 15 links lead to. Where the surface ends the walk turns back, which is what leaving out a link's\n"
+    "// term does in each step. Rows after columns are not quite both at a time: the error is in docs/smart.md. OIT_STEP: x: 0\n"
+    "// rows, 1 columns; y: links to follow; oit_set[0 ... 3]: weights of the fragment itself, of one link each way, ...\n"
+    "uint oit_firsts[31]; // slots of the pixels around, the own one in the middle\n"
+    "\n"
+    "float oit_weight(uint k)\n"
+    "{\n"
+    "    return oit_set[k >> 2u][k & 3u];\n"
+    "}\n"
+    "\n"
+    "float oit_walk(uint slot, uint direction)\n"
+    "{\n"
+    "    float sum = 0.0;\n"
+    "    uint place = 15u;\n"
+    "    for (uint k = 1u; k <= OIT_STEP.y; ++k) {\n"
+    "        uint layer = oit_link(slot, direction);\n"
+    "        if (layer == OIT_NONE) {\n"
+    "            direction ^= 1u;\n"
+    "        } else {\n"
+    "            place = (direction & 1u) != 0u ? place + 1u : place - 1u;\n"
+    "            slot = oit_firsts[place] + layer;\n"
+    "        }\n"
+    "        sum += oit_weight(k) * oit_before(slot);\n"
+    "    }\n"
+    "    return sum;\n"
+    "}\n"
+    "\n"
+    "void oit_operate(uint p)\n"
+    "{\n"
+    "    uint first, n = oit_list(p, first), width = uint(oit_area.z), reach = OIT_STEP.y;\n"
+    "    if (n == 0u)\n"
+    "        return;\n"
+    "    bool column = OIT_STEP.x != 0u;\n"
+    "    uint stride = column ? width : 1u, at = column ? p / width : p % width, end = uint(column ? oit_area.w : oit_area.z);\n"
+    "    for (uint k = 15u - min(at, reach); k <= 15u + min(reach, end - 1u - at); ++k)\n"
+    "        oit_list(p + k * stride - 15u * stride, oit_firsts[k]);\n"
+    "    for (uint i = 0u; i < n; ++i)\n"
+    "        oit_set_after(first + i, oit_weight(0u) * oit_before(first + i) + oit_walk(first + i, 2u * OIT_STEP.x) +\n"
+    "                                     oit_walk(first + i, 2u * OIT_STEP.x + 1u));\n"
+    "}\n",
+    0};
+static const char *const oit_i_shader_oit_operator_compose_frag[] = {
+    "#line 1\n"
+    "// For: oit_buffers.h\n"
+    "// The pixels' runs in the order of their slots over the target, each surface with the opacity that the operators made\n"
+    "// (Carnecky 2013, section 5.5, algorithm 3) and shaded by its curvature (Murray 2016, section 5.2). OIT_STEP: x: bits: 1:\n"
+    "// base, 2: beta and gamma, 4: shade, 8: algorithm 3 as printed; y, z: profiles of beta and gamma; oit_set[0]: their p.\n"
+    "// OIT_EXTRA_STEP and oit_set[7]: as oit_value says.\n"
+    "#if OIT_MODE == OIT_MODE_DUAL\n"
+    "layout(location = 0, index = 0) out highp vec4 oit_out;\n"
+    "layout(location = 0, index = 1) out highp vec4 oit_keep;\n"
+    "#else\n"
+    "layout(location = 0) out highp vec4 oit_out;\n"
+    "#endif\n"
+    "layout(location = 16) uniform highp vec4 oit_shades[32];\n"
+    "#if OIT_HAS_BLEND\n"
+    "#define OIT_THROUGH vec3\n"
+    "#else\n"
+    "#define OIT_THROUGH float\n"
+    "#endif\n"
+    "vec3 oit_sum = vec3(0.0);\n"
+    "OIT_THROUGH oit_through = OIT_THROUGH(1.0);\n"
+    "\n"
+    "bool oit_visible()\n"
+    "{\n"
+    "#if OIT_HAS_BLEND\n"
+    "    return max(oit_through.r, max(oit_through.g, oit_through.b)) > 5.9604645e-8;\n"
+    "#else\n"
+    "    return oit_through > 5.9604645e-8;\n"
+    "#endif\n"
+    "}\n"
+    "\n"
+    "// e^x - 1, whose difference loses its digits near 0.\n"
+    "float oit_expm1(float x)\n"
+    "{\n"
+    "    return abs(x) < 0.01 ? x * (1.0 + x * (0.5 + x * (1.0 / 6.0 + x * (1.0 / 24.0)))) : exp(x) - 1.0;\n"
+    "}\n"
+    "\n"
+    "// Equations 10 and 11. 1 - (1 - u)^2 is u (2 - u): nothing cancels, and p = 0 is the limit.\n"
+    "float oit_profile(uint kind, float u, float p)\n"
+    "{\n"
+    "    if (kind == 0u || u <= 0.0 || u >= 1.0)\n"
+    "        return clamp(u, 0.0, 1.0);\n"
+    "    if (kind == 2u)\n"
+    "        return p > 0.0 ? pow(u, p) : 1.0;\n"
+    "    float v = u * (2.0 - u);\n"
+    "    return p > 1.0e-6 ? exp(p * (v - 1.0)) * oit_expm1(-p * v) / oit_expm1(-p) : v;\n"
+    "}\n"
+    "\n"
+    "float oit_halo(uint slot)\n"
+    "{\n"
+    "    return oit_profile(OIT_STEP.z, oit_value(OIT_GAMMA, slot), oit_set[0].y);\n"
+    "}\n"
+    "\n"
+    "float oit_outline(uint slot)\n"
+    "{\n"
+    "    return oit_profile(OIT_STEP.y, oit_value(OIT_BETA, slot), oit_set[0].x);\n"
+    "}\n"
+    "\n"
+    "vec3 oit_shade(float kappa)\n"
+    "{\n"
+    "    float at = clamp(0.5 * kappa + 0.5, 0.0, 1.0) * 31.0;\n"
+    "    uint cell = min(uint(at), 30u);\n"
+    "    return mix(oit_shades[cell].rgb, oit_shades[cell + 1u].rgb, at - float(cell));\n"
+    "}\n"
+    "\n"
+    "// rgb not multiplied by alpha, and the fragment's opacity.\n"
+    "vec4 oit_surface_color(uint slot, vec4 color)\n"
+    "{\n"
+    "    uint what = OIT_STEP.x;\n"
+    "    if ((what & 1u) != 0u)\n"
+    "        color.a = oit_value(OIT_BASE, slot);\n"
+    "    if ((what & 2u) != 0u)\n"
+    "        color.a = (1.0 - oit_halo(slot)) * (color.a + (1.0 - color.a) * oit_outline(slot));\n"
+    "    if ((what & 4u) != 0u)\n"
+    "        color.rgb *= oit_shade(oit_value(OIT_KAPPA, slot));\n"
+    "    return color;\n"
+    "}\n"
+    "\n"
+    "void oit_lay(uint slot)\n"
+    "{\n"
+    "    uint at = oit_record(slot), blend = oit_record_blend(at);\n"
+    "    vec4 color = oit_record_color(at);\n"
+    "    float printed = color.a;\n"
+    "#if OIT_PREMULTIPLIED\n"
+    "    color.rgb = color.a > 0.0 ? color.rgb / color.a : vec3(0.0);\n"
+    "#endif\n"
+    "    if (blend == 0u) {\n"
+    "        color = oit_surface_color(slot, color);\n"
+    "        printed = (OIT_STEP.x & 8u) != 0u && (OIT_STEP.x & 1u) != 0u ? oit_value(OIT_BASE, slot) : color.a;\n"
+    "    }\n"
+    "    vec3 light = color.a * color.rgb;\n"
+    "#if OIT_HAS_BLEND\n"
+    "    if (blend == 2u) { // multiply: seen through a filter of that colour\n"
+    "        oit_through *= 1.0 - color.a + light;\n"
+    "        return;\n"
+    "    }\n"
+    "    oit_sum += oit_through * light;\n"
+    "    if (blend == 1u) // add: light, which hides nothing\n"
+    "        return;\n"
+    "#else\n"
+    "    oit_sum += oit_through * light;\n"
+    "#endif\n"
+    "    oit_through *= 1.0 - printed;\n"
+    "}\n"
+    "\n"
+    "#if OIT_KEEPS\n"
+    "// Behind what is kept, all that is not.\n"
+    "void oit_lay_tail(uint p)\n"
+    "{\n"
+    "    if (oit_pixel[OIT_LIMIT(p)] == OIT_NONE)\n"
+    "        return;\n"
+    "    vec4 tail = oit_tail_light(oit_tail_sums(p));\n"
+    "    oit_sum += oit_through * tail.rgb;\n"
+    "    oit_through *= tail.a;\n"
+    "}\n"
+    "#endif\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    ivec2 where = ivec2(gl_FragCoord.xy) - oit_area.xy;\n"
+    "    uint p = uint(where.y) * uint(oit_area.z) + uint(where.x), first, n = oit_list(p, first);\n"
+    "    if (n == 0u)\n"
+    "        discard;\n"
+    "    for (uint i = 0u; i < n && oit_visible(); ++i)\n"
+    "        oit_lay(first + i);\n"
+    "#if OIT_KEEPS\n"
+    "    oit_lay_tail(p);\n"
+    "#endif\n"
+    "#if OIT_MODE == OIT_MODE_DUAL\n"
+    "    oit_out = vec4(oit_sum, 0.0);\n",
+    "#line 129\n"
+    "    oit_keep = vec4(oit_light.w * oit_through, 0.0);\n"
+    "#elif OIT_MODE == OIT_MODE_FILTER\n"
+    "    oit_out = vec4(oit_light.w * oit_through, 0.0);\n"
+    "#elif OIT_MODE == OIT_MODE_LIGHT\n"
+    "    oit_out = vec4(oit_sum, 0.0);\n"
+    "#else\n"
+    "    oit_out = vec4(oit_sum, oit_light.w * oit_through);\n"
+    "#endif\n"
+    "}\n",
+    0};
+static const char *const oit_i_shader_oit_operator_connect_comp[] = {
+    "#line 1\n"
+    "// For: oit_buffers.h\n"
+    "// What each surface fragment likes best of the pixels beside its own (Carnecky 2013, section 4.4, equations 1 to 3; Murray\n"
+    "// 2016, section 5.1). Whether that is mutual is seen in a pass after this, when all have chosen.\n"
+    "// OIT_STEP: x, y: directions from x to y - 1; z: criterion; w: bits of OIT_CHOOSE_*.\n"
+    "#define OIT_BY_DEPTH 0u\n"
+    "#define OIT_BY_UV 1u\n"
+    "#define OIT_PUBLISHED 2u\n"
+    "#define OIT_MURRAY 3u\n"
+    "#define OIT_CHOOSE_WINDOWED 1u\n"
+    "#define OIT_CHOOSE_COUNTS 2u\n"
+    "#define OIT_CHOOSE_GROUPED 4u\n"
+    "#define OIT_DEPTH_WEIGHT oit_set[0].x\n"
+    "#define OIT_NORMAL_WEIGHT oit_set[0].y\n"
+    "#define OIT_PER_RADIUS oit_set[0].z\n"
+    "#define OIT_LIMIT_APART oit_set[0].w\n"
+    "#define OIT_NEVER uintBitsToFloat(0x7f800000u) // infinity\n"
+    "uint oit_pairs = 0u;\n"
+    "\n"
+    "struct oit_side // of a pair: the one that looks\n"
+    "{\n"
+    "    float depth, predicted; // window depth, and distance along the view that its slope makes for the pixel beside\n"
+    "    vec3 normal;\n"
+    "    vec2 uv;\n"
+    "    uint part;\n"
+    "};\n"
+    "\n"
+    "oit_side oit_look(uint slot, uint direction)\n"
+    "{\n"
+    "    uint at = oit_record(slot);\n"
+    "    oit_side side;\n"
+    "    vec2 slope = unpackHalf2x16(OIT_WORD(at, OIT_AT_SLOPE)) * (1.0 / 4096.0);\n"
+    "    float ahead = direction < 2u ? slope.x : slope.y;\n"
+    "    side.depth = oit_record_window_depth(at);\n"
+    "    side.predicted = oit_distance(side.depth + ((direction & 1u) != 0u ? ahead : -ahead));\n"
+    "    side.normal = oit_record_normal(at);\n"
+    "    side.part = OIT_WORD(at, OIT_AT_PART);\n"
+    "    side.uv = vec2(0.0);\n"
+    "#if OIT_HAS_UV\n"
+    "    side.uv = oit_uv(slot);\n"
+    "#endif\n"
+    "    return side;\n"
+    "}\n"
+    "\n"
+    "// How far apart in depth, in radii.\n"
+    "float oit_apart(oit_side side, uint at)\n"
+    "{\n"
+    "    return abs(side.predicted - oit_distance(oit_record_window_depth(at))) * OIT_PER_RADIUS;\n"
+    "}\n"
+    "\n"
+    "// Two units of rounding may leave the product of unit vectors above 1; bends that are not negative are what the window\n"
+    "// stops by.\n"
+    "float oit_bend(oit_side side, uint at)\n"
+    "{\n"
+    "    return max(1.0 - dot(side.normal, oit_record_normal(at)), 0.0);\n"
+    "}\n"
+    "\n"
+    "bool oit_may_join(oit_side side, uint at)\n"
+    "{\n"
+    "    ++oit_pairs;\n"
+    "    return OIT_WORD(at, OIT_AT_PART) == side.part && oit_record_blend(at) == 0u;\n"
+    "}\n"
+    "\n"
+    "float oit_measure_by_depth(oit_side side, uint at, float apart)\n"
+    "{\n"
+    "    return apart <= OIT_LIMIT_APART ? OIT_DEPTH_WEIGHT * apart + OIT_NORMAL_WEIGHT * oit_bend(side, at) : OIT_NEVER;\n"
+    "}\n"
+    "\n"
+    "float oit_measure(oit_side side, uint slot)\n"
+    "{\n"
+    "    uint at = oit_record(slot);\n"
+    "    if (!oit_may_join(side, at))\n"
+    "        return OIT_NEVER;\n"
+    "#if OIT_HAS_UV\n"
+    "    if (OIT_STEP.z == OIT_BY_UV) {\n"
+    "        float apart = distance(side.uv, oit_uv(slot));\n"
+    "        return apart <= OIT_LIMIT_APART ? apart : OIT_NEVER;\n"
+    "    }\n"
+    "#endif\n"
+    "    if (OIT_STEP.z == OIT_MURRAY) {\n"
+    "        float gap = side.depth - oit_record_window_depth(at);\n"
+    "        return oit_bend(side, at) + gap * gap;\n"
+    "    }\n"
+    "    return oit_measure_by_depth(side, at, oit_apart(side, at));\n"
+    "}\n"
+    "\n"
+    "// All of the list; of several that measure the same the nearest to the eye.\n"
+    "uint oit_best_of_all(oit_side side, uint first, uint n, out float least)\n"
+    "{\n"
+    "    uint best = OIT_NONE;\n"
+    "    least = OIT_NEVER;\n"
+    "    for (uint i = 0u; i < n; ++i) {\n"
+    "        float measure = oit_measure(side, first + i);\n"
+    "        best = measure < least ? i : best;\n"
+    "        least = measure < least ? measure : least;\n"
+    "    }\n"
+    "    return best;\n"
+    "}\n"
+    "\n"
+    "// The same for a list that is grouped by part: only that part is looked at (Murray 2016, section 5.1).\n"
+    "uint oit_best_of_part(oit_side side, uint first, uint n, out float least)\n"
+    "{\n"
+    "    uint best = OIT_NONE, low = 0u;\n"
+    "    for (uint high = n; low < high;) { // where its group begins\n"
+    "        uint middle = (low + high) / 2u;\n"
+    "        if (oit_part_of(first + oit_surface[OIT_IN_GROUPED + first + middle]) < side.part)\n"
+    "            low = middle + 1u;\n"
+    "        else\n"
+    "            high = middle;\n"
+    "    }\n"
+    "    least = OIT_NEVER;\n"
+    "    for (; low < n; ++low) {\n"
+    "        uint i = oit_surface[OIT_IN_GROUPED + first + low];\n"
+    "        if (oit_part_of(first + i) != side.part)\n"
+    "            break;\n"
+    "        float measure = oit_measure(side, first + i);\n"
+    "        best = measure < least ? i : best;\n",
+    "#line 117\n"
+    "        least = measure < least ? measure : least;\n"
+    "    }\n"
+    "    return best;\n"
+    "}\n"
+    "\n"
+    "float oit_gap(oit_side side, uint first, uint n, uint i)\n"
+    "{\n"
+    "    return i < n ? oit_apart(side, oit_record(first + i)) : OIT_NEVER;\n"
+    "}\n"
+    "\n"
+    "// The same, from the predicted depth outward on both sides, the nearer gap first, until the gap alone weighs more than the\n"
+    "// best so far. `from` is where the search of the fragment before began; surfaces mostly keep their order, so that the\n"
+    "// place is near.\n"
+    "uint oit_best_within(oit_side side, uint first, uint n, inout uint from)\n"
+    "{\n"
+    "    while (from < n && oit_distance(oit_depth(first + from)) < side.predicted)\n"
+    "        ++from;\n"
+    "    while (from > 0u && !(oit_distance(oit_depth(first + from - 1u)) < side.predicted))\n"
+    "        --from;\n"
+    "    uint before = from - 1u, behind = from, best = OIT_NONE; // before: beyond n when it has passed 0\n"
+    "    float gap_before = oit_gap(side, first, n, before), gap_behind = oit_gap(side, first, n, behind), least = OIT_NEVER;\n"
+    "    for (;;) {\n"
+    "        bool back = gap_before < gap_behind;\n"
+    "        float gap = back ? gap_before : gap_behind;\n"
+    "        if (!(gap <= OIT_LIMIT_APART) || OIT_DEPTH_WEIGHT * gap > least || (back ? before : behind) >= n)\n"
+    "            return best;\n"
+    "        uint i = back ? before : behind, at = oit_record(first + i);\n"
+    "        float measure = oit_may_join(side, at) ? oit_measure_by_depth(side, at, gap) : OIT_NEVER;\n"
+    "        if (measure < least || (measure == least && best != OIT_NONE && i < best)) {\n"
+    "            least = measure;\n"
+    "            best = i;\n"
+    "        }\n"
+    "        if (back)\n"
+    "            gap_before = oit_gap(side, first, n, --before);\n"
+    "        else\n"
+    "            gap_behind = oit_gap(side, first, n, ++behind);\n"
+    "    }\n"
+    "}\n"
+    "\n"
+    "// Algorithm 2, lines 12 to 17: none of the list to which i belongs may measure less toward the same candidate.\n"
+    "bool oit_published_holds(uint first, uint n, uint i, uint candidate, uint direction, float least)\n"
+    "{\n"
+    "    for (uint k = 0u; k < n; ++k)\n"
+    "        if (k != i && oit_is_surface(first + k) && oit_measure(oit_look(first + k, direction), candidate) < least)\n"
+    "            return false;\n"
+    "    return true;\n"
+    "}\n"
+    "\n"
+    "void oit_set_link(uint slot, uint direction, uint layer)\n"
+    "{\n"
+    "    bool wide = OIT_IN_FAR_LINKS != 0u;\n"
+    "    uint bits = wide ? 16u : 8u, none = (1u << bits) - 1u, shift = bits * (wide ? direction & 1u : direction);\n"
+    "    uint at = (wide && direction >= 2u ? OIT_IN_FAR_LINKS : OIT_IN_LINKS) + slot;\n"
+    "    oit_surface[at] = (oit_surface[at] & ~(none << shift)) | min(layer, none) << shift;\n"
+    "}\n"
+    "\n"
+    "uint oit_choose(uint first, uint n, uint i, uint direction, uint other, uint m, inout uint from)\n"
+    "{\n"
+    "    float least;\n"
+    "    oit_side side = oit_look(first + i, direction);\n"
+    "    if ((OIT_STEP.w & OIT_CHOOSE_WINDOWED) != 0u)\n"
+    "        return oit_best_within(side, other, m, from);\n"
+    "    uint best = (OIT_STEP.w & OIT_CHOOSE_GROUPED) != 0u ? oit_best_of_part(side, other, m, least)\n"
+    "                                                        : oit_best_of_all(side, other, m, least);\n"
+    "    if (OIT_STEP.z == OIT_PUBLISHED && best != OIT_NONE && oit_set[1].x == 0.0 &&\n"
+    "        !oit_published_holds(first, n, i, other + best, direction, least))\n"
+    "        best = OIT_NONE;\n"
+    "    return best;\n"
+    "}\n"
+    "\n"
+    "void oit_operate(uint p)\n"
+    "{\n"
+    "    uint first, n = oit_list(p, first), q, other;\n"
+    "    for (uint direction = OIT_STEP.x; direction < OIT_STEP.y; ++direction) {\n"
+    "        uint m = oit_beside(p, direction, q) ? oit_list(q, other) : 0u, from = 0u;\n"
+    "        for (uint i = 0u; i < n; ++i) {\n"
+    "            uint best = OIT_NONE;\n"
+    "            if (m > 0u && oit_is_surface(first + i))\n"
+    "                best = oit_choose(first, n, i, direction, other, m, from);\n"
+    "            oit_set_link(first + i, direction, best);\n"
+    "        }\n"
+    "    }\n"
+    "    if ((OIT_STEP.w & OIT_CHOOSE_COUNTS) != 0u)\n"
+    "        atomicAdd(oit_surface[0], oit_pairs);\n"
+    "}\n",
+    0};
+static const char *const oit_i_shader_oit_operator_curve_comp[] = {
+    "#line 1\n"
+    "// For: oit_buffers.h\n"
+    "// Curvature of the surface at a fragment, tanh(kappa1 + kappa2) (Murray 2016, section 5.1), and opacity from it. The trace\n"
+    "// of the map from steps along the surface to differences of normals: no division by a normal's z, so that grazing normals\n"
+    "// are bounded. Without one of the four neighbours -1. OIT_STEP: x: 1: the opacities go to base; oit_set[0]: x: 1 / unit, 0:\n"
+    "// steps are those in the window; y, z: distance to depth.\n"
+    "layout(location = 16) uniform highp uvec4 oit_opacities[64]; // 16 rows of 32 in 16 bits each\n"
+    "\n"
+    "float oit_opacity_entry(uint at)\n"
+    "{\n"
+    "    uint word = oit_opacities[at >> 3u][at >> 1u & 3u];\n"
+    "    return float((at & 1u) != 0u ? word >> 16u : word & 65535u) * (1.0 / 65535.0);\n"
+    "}\n"
+    "\n"
+    "float oit_opacity(float curvature, float depth)\n"
+    "{\n"
+    "    vec2 at = vec2(clamp(curvature, 0.0, 1.0) * 31.0, clamp(depth, 0.0, 1.0) * 15.0);\n"
+    "    uvec2 cell = min(uvec2(at), uvec2(30u, 14u));\n"
+    "    vec2 within = at - vec2(cell);\n"
+    "    uint from = cell.y * 32u + cell.x;\n"
+    "    return mix(mix(oit_opacity_entry(from), oit_opacity_entry(from + 1u), within.x),\n"
+    "               mix(oit_opacity_entry(from + 32u), oit_opacity_entry(from + 33u), within.x), within.y);\n"
+    "}\n"
+    "\n"
+    "float oit_trace(vec3 t[2], vec3 dn[2])\n"
+    "{\n"
+    "    float a = dot(t[0], t[0]), b = dot(t[0], t[1]), c = dot(t[1], t[1]), square = a * c - b * b;\n"
+    "    if (!(square > 1.0e-6 * a * c))\n"
+    "        return 0.0;\n"
+    "    return -(c * dot(dn[0], t[0]) - b * (dot(dn[0], t[1]) + dot(dn[1], t[0])) + a * dot(dn[1], t[1])) / square;\n"
+    "}\n"
+    "\n"
+    "float oit_kappa(uint p, uint slot)\n"
+    "{\n"
+    "    vec3 t[2] = vec3[2](vec3(2.0, 0.0, 0.0), vec3(0.0, 2.0, 0.0)), dn[2];\n"
+    "    for (uint axis = 0u; axis < 2u; ++axis) {\n"
+    "        uint low = oit_neighbour(p, slot, 2u * axis), high = oit_neighbour(p, slot, 2u * axis + 1u), q, r;\n"
+    "        if (low == OIT_NONE || high == OIT_NONE)\n"
+    "            return -1.0;\n"
+    "        dn[axis] = oit_normal(high) - oit_normal(low);\n"
+    "        if (oit_set[0].x > 0.0) {\n"
+    "            oit_beside(p, 2u * axis, q);\n"
+    "            oit_beside(p, 2u * axis + 1u, r);\n"
+    "            t[axis] = (oit_position(oit_device(r), oit_depth(high)) - oit_position(oit_device(q), oit_depth(low))) * oit_set[0].x;\n"
+    "        }\n"
+    "    }\n"
+    "    return tanh(clamp(oit_trace(t, dn), -20.0, 20.0));\n"
+    "}\n"
+    "\n"
+    "void oit_operate(uint p)\n"
+    "{\n"
+    "    uint first, n = oit_list(p, first);\n"
+    "    for (uint i = 0u; i < n; ++i) {\n"
+    "        uint slot = first + i;\n"
+    "        bool surface = oit_is_surface(slot);\n"
+    "        float kappa = surface ? oit_kappa(p, slot) : 0.0;\n"
+    "        oit_surface[OIT_IN_KAPPA + slot] = floatBitsToUint(kappa);\n"
+    "        if (OIT_STEP.x != 0u && surface)\n"
+    "            oit_set_value(OIT_BASE, slot, oit_opacity(abs(kappa), (oit_distance(oit_depth(slot)) - oit_set[0].y) * oit_set[0].z));\n"
+    "    }\n"
+    "}\n",
+    0};
+static const char *const oit_i_shader_oit_operator_group_comp[] = {
+    "#line 1\n"
+    "// For: oit_buffers.h\n"
+    "// Layers of each pixel by part, and by depth within a part (Murray 2016, section 4.1: buckets), for searches that look at\n"
+    "// one part alone.\n"
+    "void oit_operate(uint p)\n"
+    "{\n"
+    "    uint first, n = oit_list(p, first);\n"
+    "    for (uint i = 0u; i < n; ++i) {\n"
+    "        uint part = oit_part_of(first + i), before = 0u;\n"
+    "        for (uint k = 0u; k < n; ++k) {\n"
+    "            uint other = oit_part_of(first + k);\n"
+    "            before += other < part || (other == part && k < i) ? 1u : 0u;\n"
+    "        }\n"
+    "        oit_surface[OIT_IN_GROUPED + first + before] = i;\n"
+    "    }\n"
+    "}\n",
+    0};
+static const char *const oit_i_shader_oit_operator_jump_comp[] = {
+    "#line 1\n"
+    "// For: oit_buffers.h\n"
+    "// Distances carried 32 pixels along a row or a column in one pass, both ways: a work item takes 32 pixels in turn, and\n"
+    "// what lies beyond its ends as it was before the pass, so that the result depends on nothing but the values before\n"
+    "// (they go from oit_before to oit_set_after). Never less than the true distance: each is that of a path. OIT_STEP: x: 0\n"
+    "// rows, 1 columns; y: number of the pass; z: 1: until nothing changes.\n"
+    "#define OIT_OWN_MAIN 1\n"
+    "const uint oit_reach = 32u;\n"
+    "\n"
+    "// In words 4 to 7 of the header, in turn, whether a pass has changed anything. Both passes before this one have not: all\n"
+    "// is as it will be, and the same in both places.\n"
+    "bool oit_is_stable()\n"
+    "{\n"
+    "    return OIT_STEP.z != 0u && oit_surface[4u + (OIT_STEP.y + 3u & 3u)] + oit_surface[4u + (OIT_STEP.y + 2u & 3u)] == 0u;\n"
+    "}\n"
+    "\n"
+    "uint oit_nearer(uint own, uint other)\n"
+    "{\n"
+    "    bool kept = own == 0u || own == OIT_BLOCKED;\n"
+    "    return !kept && other < OIT_BLOCKED - 1u ? min(own, other + 1u) : own;\n"
+    "}\n"
+    "\n"
+    "// All of pixel p toward which values come from `direction`; inside: they are of this pass.\n"
+    "bool oit_carry(uint p, uint direction, bool inside, bool again)\n"
+    "{\n"
+    "    uint first, n = oit_list(p, first), q, other;\n"
+    "    bool changed = false, beside = oit_beside(p, direction, q);\n"
+    "    if (beside)\n"
+    "        oit_list(q, other);\n"
+    "    for (uint i = 0u; i < n; ++i) {\n"
+    "        uint slot = first + i, layer = beside ? oit_link(slot, direction) : OIT_NONE;\n"
+    "        uint own = oit_surface[(again ? OIT_IN_AFTER : OIT_IN_BEFORE) + slot], word = own;\n"
+    "        if (layer != OIT_NONE) {\n"
+    "            uint come = oit_surface[(inside ? OIT_IN_AFTER : OIT_IN_BEFORE) + other + layer];\n"
+    "            word = oit_nearer(own & 65535u, come & 65535u) | oit_nearer(own >> 16u, come >> 16u) << 16u;\n"
+    "        }\n"
+    "        if (word != own || !again)\n"
+    "            oit_surface[OIT_IN_AFTER + slot] = word;\n"
+    "        changed = changed || word != own;\n"
+    "    }\n"
+    "    return changed;\n"
+    "}\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    uvec2 size = uvec2(oit_area.zw), at = gl_GlobalInvocationID.xy;\n"
+    "    bool column = OIT_STEP.x != 0u, changed = false;\n"
+    "    if (at == uvec2(0u))\n"
+    "        oit_surface[4u + (OIT_STEP.y + 1u & 3u)] = 0u;\n"
+    "    uvec2 start = column ? uvec2(at.x, at.y * oit_reach) : uvec2(at.x * oit_reach, at.y);\n"
+    "    if (any(greaterThanEqual(start, size)) || oit_is_stable())\n"
+    "        return;\n"
+    "    uint p = start.y * size.x + start.x, stride = column ? size.x : 1u;\n"
+    "    uint n = min(oit_reach, column ? size.y - start.y : size.x - start.x), back = column ? 2u : 0u;\n"
+    "    for (uint i = 0u; i < n; ++i)\n"
+    "        changed = oit_carry(p + i * stride, back, i > 0u, false) || changed;\n"
+    "    for (uint i = n; i > 0u; --i)\n"
+    "        changed = oit_carry(p + (i - 1u) * stride, back + 1u, i < n, true) || changed;\n"
+    "    if (changed)\n"
+    "        oit_surface[4u + (OIT_STEP.y & 3u)] = 1u;\n"
+    "}\n",
+    0};
+static const char *const oit_i_shader_oit_operator_law_comp[] = {
+    "#line 1\n"
+    "// For: oit_buffers.h\n"
+    "// The opacity that each surface fragment starts with (Carnecky 2013, section 5.2). OIT_STEP.x: the law; oit_set[0]: s,\n"
+    "// exponent, scale, reach.\n"
+    "#define OIT_LAW_GIVEN 0u\n"
+    "#define OIT_LAW_CONSTANT 1u\n"
+    "#define OIT_LAW_ADAPTIVE 2u\n"
+    "#define OIT_LAW_ANGLE 3u\n"
+    "#define OIT_LAW_VARIATION 4u\n"
+    "\n"
+    "#if OIT_HAS_NORMAL\n"
+    "float oit_facing(uint p, uint slot)\n"
+    "{\n"
+    "    return pow(min(abs(dot(oit_normal(slot), oit_to_eye(oit_device(p)))), 1.0), oit_set[0].y);\n"
+    "}\n"
+    "#endif\n"
+    "\n"
+    "#if OIT_HAS_SLOPE\n"
+    "// How much normals change around it: halved across both neighbours, the whole of one where the other is missing.\n"
+    "float oit_variation(uint p, uint slot)\n"
+    "{\n"
+    "    float sum = 0.0;\n"
+    "    for (uint axis = 0u; axis < 2u; ++axis) {\n"
+    "        uint low = oit_neighbour(p, slot, 2u * axis), high = oit_neighbour(p, slot, 2u * axis + 1u);\n"
+    "        vec3 step = oit_normal(high == OIT_NONE ? slot : high) - oit_normal(low == OIT_NONE ? slot : low);\n"
+    "        sum += dot(step, step) * (low == OIT_NONE || high == OIT_NONE ? 1.0 : 0.25);\n"
+    "    }\n"
+    "    return sqrt(sum);\n"
+    "}\n"
+    "#endif\n"
+    "\n"
+    "// 1 - (1 - s)^(1/m), by logarithms: s near 0 loses nothing.\n"
+    "float oit_adaptive(float s, float layers)\n"
+    "{\n"
+    "    if (s >= 1.0)\n"
+    "        return 1.0;\n"
+    "    float x = log(1.0 - s) / layers;\n"
+    "    return x > -0.01 ? -x * (1.0 + x * (0.5 + x * (1.0 / 6.0))) : 1.0 - exp(x);\n"
+    "}\n"
+    "\n"
+    "float oit_law(uint p, uint slot, float layers)\n"
+    "{\n"
+    "    float s = oit_set[0].x;\n"
+    "    if (OIT_STEP.x == OIT_LAW_GIVEN)\n"
+    "        return oit_color(slot).a;\n"
+    "    if (OIT_STEP.x == OIT_LAW_CONSTANT)\n"
+    "        return s;\n"
+    "    if (OIT_STEP.x == OIT_LAW_ADAPTIVE)\n"
+    "        return oit_adaptive(s, layers);\n"
+    "#if OIT_HAS_NORMAL\n"
+    "    if (OIT_STEP.x == OIT_LAW_ANGLE)\n"
+    "        return 1.0 - (1.0 - s) * oit_facing(p, slot);\n"
+    "#endif\n"
+    "#if OIT_HAS_SLOPE\n"
+    "    if (OIT_STEP.x == OIT_LAW_VARIATION)\n"
+    "        return 1.0 - (1.0 - s) * exp(-oit_set[0].z * oit_variation(p, slot));\n"
+    "    float near = min(float(oit_steps(slot, false)) / oit_set[0].w, 1.0);\n"
+    "    return 1.0 - (1.0 - s) * pow(near, oit_set[0].y);\n"
+    "#else\n"
+    "    return s;\n"
+    "#endif\n"
+    "}\n"
+    "\n"
+    "void oit_operate(uint p)\n"
+    "{\n"
+    "    uint first, n = oit_list(p, first), layers = 0u;\n"
+    "    for (uint i = 0u; i < n; ++i)\n"
+    "        layers += oit_is_surface(first + i) ? 1u : 0u;\n"
+    "    for (uint i = 0u; i < n; ++i)\n"
+    "        oit_set_value(OIT_BASE, first + i, oit_is_surface(first + i) ? oit_law(p, first + i, float(layers)) : 0.0);\n"
+    "}\n",
+    0};
+static const char *const oit_i_shader_oit_operator_mutual_comp[] = {
+    "#line 1\n"
+    "// For: oit_buffers.h\n"
+    "// What is not chosen by what it has chosen is no neighbour (Carnecky 2013, figure 7b). In place: a link that another\n"
+    "// invocation has taken away meanwhile was not to this fragment, or would have stayed.\n"
+    "void oit_operate(uint p)\n"
+    "{\n"
+    "    uint first, n = oit_list(p, first), q, other;\n"
+    "    for (uint direction = 0u; direction < 4u; ++direction) {\n"
+    "        if (!oit_beside(p, direction, q))\n"
+    "            continue;\n"
+    "        oit_list(q, other);\n"
+    "        bool wide = OIT_IN_FAR_LINKS != 0u;\n"
+    "        uint none = wide ? 65535u << (16u * (direction & 1u)) : 255u << (8u * direction);\n"
+    "        uint at = wide && direction >= 2u ? OIT_IN_FAR_LINKS : OIT_IN_LINKS;\n"
+    "        for (uint i = 0u; i < n; ++i) {\n"
+    "            uint layer = oit_link(first + i, direction);\n"
+    "            if (layer != OIT_NONE && oit_link(other + layer, direction ^ 1u) != i)\n"
+    "                oit_surface[at + first + i] |= none;\n"
+    "        }\n"
+    "    }\n"
+    "}\n",
+    0};
+static const char *const oit_i_shader_oit_operator_size_comp[] = {
+    "#line 1\n"
+    "// For: oit_buffers.h\n"
+    "// How far it is along the surface to the next fragment with a boundary condition, on either side along its row or its\n"
+    "// column: the width of what lies between two silhouettes or halos. Each pass carries that 32 pixels; what has not come is\n"
+    "// not known (65535), at the frame of the picture never. OIT_STEP: x: 0 rows, 1 columns; y: 1: the first of its axis.\n"
+    "#define OIT_OWN_MAIN 1\n"
+    "const uint oit_reach = 32u;\n"
+    "\n"
+    "bool oit_is_wall(uint slot)\n"
+    "{\n"
+    "    uint low = oit_steps(slot, false);\n"
+    "    return low == 0u || low == OIT_BLOCKED || oit_steps(slot, true) == 0u;\n"
+    "}\n"
+    "\n"
+    "// Toward which it is known from the pixel beside: `direction`. The half of the word that it has.\n"
+    "void oit_carry(uint p, uint direction, uint section)\n"
+    "{\n"
+    "    uint first, n = oit_list(p, first), q, other, shift = 16u * (direction & 1u);\n"
+    "    bool beside = oit_beside(p, direction, q);\n"
+    "    if (beside)\n"
+    "        oit_list(q, other);\n"
+    "    for (uint i = 0u; i < n; ++i) {\n"
+    "        uint slot = first + i, layer = beside ? oit_link(slot, direction) : OIT_NONE, distance = OIT_UNREACHED;\n"
+    "        if (oit_is_wall(slot)) {\n"
+    "            distance = 0u;\n"
+    "        } else if (layer != OIT_NONE) {\n"
+    "            uint come = oit_surface[section + other + layer] >> shift & 65535u;\n"
+    "            distance = come < OIT_BLOCKED ? come + 1u : OIT_UNREACHED;\n"
+    "        }\n"
+    "        uint word = oit_surface[section + slot];\n"
+    "        oit_surface[section + slot] = (word & ~(65535u << shift)) | distance << shift;\n"
+    "    }\n"
+    "}\n"
+    "\n"
+    "void oit_forget(uint p, uint section)\n"
+    "{\n"
+    "    uint first, n = oit_list(p, first);\n"
+    "    for (uint i = 0u; i < n; ++i)\n"
+    "        oit_surface[section + first + i] = 0xffffffffu;\n"
+    "}\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    uvec2 size = uvec2(oit_area.zw), at = gl_GlobalInvocationID.xy;\n"
+    "    bool column = OIT_STEP.x != 0u;\n"
+    "    uvec2 start = column ? uvec2(at.x, at.y * oit_reach) : uvec2(at.x * oit_reach, at.y);\n"
+    "    if (any(greaterThanEqual(start, size)))\n"
+    "        return;\n"
+    "    uint p = start.y * size.x + start.x, stride = column ? size.x : 1u, section = column ? OIT_EXTRA_STEP.z : OIT_IN_SIZES;\n"
+    "    uint n = min(oit_reach, column ? size.y - start.y : size.x - start.x), back = column ? 2u : 0u;\n"
+    "    for (uint i = 0u; i < n && OIT_STEP.y != 0u; ++i)\n"
+    "        oit_forget(p + i * stride, section);\n"
+    "    for (uint i = 0u; i < n && OIT_STEP.y == 0u; ++i)\n"
+    "        oit_carry(p + i * stride, back, section);\n"
+    "    for (uint i = n; i > 0u && OIT_STEP.y == 0u; --i)\n"
+    "        oit_carry(p + (i - 1u) * stride, back + 1u, section);\n"
+    "}\n",
+    0};
+static const char *const oit_i_shader_oit_operator_solve_comp[] = {
+    "#line 1\n"
+    "// For: oit_buffers.h\n"
+    "// One iteration: equation 8 of one field, and equation 9 of beta and gamma (Carnecky 2013, section 5.4), as distances in\n"
+    "// steps to the nearest source. Distances are relaxed where they lie: one that is read while it changes is still that of a\n"
+    "// path, and after n iterations all of up to n are right; greater ones are cut when they are used. OIT_STEP: x: 1: equation\n"
+    "// 9; y: 1: equation 8, from oit_before to oit_set_after; z: whose boundary is kept there: 1 beta, 2 gamma, 0 none;\n"
+    "// oit_set[0].x: lambda times the weight of the sum.\n"
+    "uint oit_nearer(uint distance, uint other)\n"
+    "{\n"
+    "    return other < OIT_BLOCKED - 1u ? min(distance, other + 1u) : distance;\n"
+    "}\n"
+    "\n"
+    "bool oit_is_kept(uint steps)\n"
+    "{\n"
+    "    return steps == 0u || steps == OIT_BLOCKED;\n"
+    "}\n"
+    "\n"
+    "void oit_relax(uint slot, uint others[4])\n"
+    "{\n"
+    "    uint word = oit_surface[OIT_IN_REACH + slot], low = word & 65535u, high = word >> 16u, beta = low, gamma = high;\n"
+    "    for (uint d = 0u; d < 4u; ++d)\n"
+    "        if (others[d] != OIT_NONE) {\n"
+    "            uint other = oit_surface[OIT_IN_REACH + others[d]];\n"
+    "            beta = oit_nearer(beta, other & 65535u);\n"
+    "            gamma = oit_nearer(gamma, other >> 16u);\n"
+    "        }\n"
+    "    beta = oit_is_kept(low) ? low : beta;\n"
+    "    gamma = oit_is_kept(high) ? high : gamma;\n"
+    "    if (beta != low || gamma != high)\n"
+    "        oit_surface[OIT_IN_REACH + slot] = beta | gamma << 16u;\n"
+    "}\n"
+    "\n"
+    "void oit_diffuse(uint slot, uint others[4])\n"
+    "{\n"
+    "    float value = oit_before(slot), sum = 0.0;\n"
+    "    for (uint d = 0u; d < 4u; ++d)\n"
+    "        if (others[d] != OIT_NONE)\n"
+    "            sum += oit_before(others[d]) - value;\n"
+    "    if (OIT_STEP.z != 0u && oit_is_kept(oit_steps(slot, OIT_STEP.z == 2u)))\n"
+    "        sum = 0.0;\n"
+    "    oit_set_after(slot, value + oit_set[0].x * sum);\n"
+    "}\n"
+    "\n"
+    "void oit_operate(uint p)\n"
+    "{\n"
+    "    uint first, n = oit_list(p, first), firsts[4];\n"
+    "    if (n == 0u)\n"
+    "        return;\n"
+    "    for (uint d = 0u; d < 4u; ++d) {\n"
+    "        uint q;\n"
+    "        if (oit_beside(p, d, q))\n"
+    "            oit_list(q, firsts[d]);\n"
+    "    }\n"
+    "    for (uint i = 0u; i < n; ++i) {\n"
+    "        uint others[4];\n"
+    "        for (uint d = 0u; d < 4u; ++d) {\n"
+    "            uint layer = oit_link(first + i, d);\n"
+    "            others[d] = layer == OIT_NONE ? OIT_NONE : firsts[d] + layer;\n"
+    "        }\n"
+    "        if (OIT_STEP.x != 0u)\n"
+    "            oit_relax(first + i, others);\n"
+    "        if (OIT_STEP.y != 0u)\n"
+    "            oit_diffuse(first + i, others);\n"
+    "    }\n"
+    "}\n",
+    0};
+static const char *const oit_i_shader_oit_operator_sort_comp[] = {
+    "#line 1\n"
+    "// For: oit_buffers.h\n"
+    "// The order of each pixel's run, before the first operator: a fragment's slot is how many come before it. Eight at a time\n"
+    "// are counted while the depths of the run pass by once: no array, no dependence from one step to the next.\n"
+    "\n"
+    "// Of records of one depth as they are composed.\n"
+    "uint oit_before_ties(uint base, uint n, uint i)\n"
+    "{\n"
+    "    uint at = base + i * uint(OIT_VECTORS), before = 0u;\n"
+    "    for (uint k = 0u; k < n; ++k) {\n"
+    "        uint other = base + k * uint(OIT_VECTORS);\n"
+    "        if (k != i && oit_record_depth(other) == oit_record_depth(at) && oit_after(at, other))\n"
+    "            ++before;\n"
+    "    }\n"
+    "    return before;\n"
+    "}\n"
+    "\n"
+    "void oit_operate(uint p)\n"
+    "{\n"
+    "    if (p == 0u)\n"
+    "        oit_surface[0] = 0u; // pairs compared since\n"
+    "    uint first, n = oit_list(p, first), base = first * uint(OIT_VECTORS);\n"
+    "    for (uint i = 0u; i < n; i += 8u) {\n"
+    "        uint own[8], before[8], alike[8];\n"
+    "        for (uint k = 0u; k < 8u; ++k) {\n"
+    "            own[k] = i + k < n ? oit_record_depth(base + (i + k) * uint(OIT_VECTORS)) : OIT_NONE;\n"
+    "            before[k] = alike[k] = 0u;\n"
+    "        }\n"
+    "        for (uint k = 0u; k < n; ++k) {\n"
+    "            uint depth = oit_record_depth(base + k * uint(OIT_VECTORS));\n"
+    "            for (uint j = 0u; j < 8u; ++j) {\n"
+    "                before[j] += depth < own[j] ? 1u : 0u;\n"
+    "                alike[j] += depth == own[j] ? 1u : 0u;\n"
+    "            }\n"
+    "        }\n"
+    "        for (uint k = 0u; k < 8u && i + k < n; ++k) {\n"
+    "            uint place = before[k];\n"
+    "            if (alike[k] > 1u)\n"
+    "                place += oit_before_ties(base, n, i + k);\n"
+    "            oit_surface[OIT_IN_ORDER + first + place] = first + i + k;\n"
+    "        }\n"
+    "    }\n"
+    "}\n",
+    0};
 static const char *const oit_i_shader_oit_ordered_glsl[] = {
     "#line 1\n"
     "// For: oit_buffers.h\n"
@@ -1764,6 +3159,7 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "#define OIT_BLEND_OVER 0u\n"
     "#define OIT_BLEND_ADD 1u\n"
     "#define OIT_BLEND_MULTIPLY 2u\n"
+    "#define OIT_BLEND_LINE 3u\n"
     "\n"
     "struct oit_fragment\n"
     "{\n"
@@ -1799,6 +3195,17 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "    vec3 c = vec3(oit_finite(color.r), oit_finite(color.g), oit_finite(color.b));\n"
     "    return vec4(c, clamp(oit_finite(color.a), 0.0, 1.0));\n"
     "}\n"
+    "\n"
+    "#if OIT_HAS_SLOPE && OIT_PASS == OIT_FILL\n"
+    "// What the window depth gains a pixel to the right and a pixel up, for operators; taken where control flow is uniform, as\n"
+    "// below.\n"
+    "#if OIT_ES\n"
+    "#define OIT_DEPTH_SLOPE vec2(dFdx(gl_FragCoord.z), dFdy(gl_FragCoord.z))\n"
+    "#else\n"
+    "vec2 oit_depth_slope = vec2(dFdx(gl_FragCoord.z), dFdy(gl_FragCoord.z));\n"
+    "#define OIT_DEPTH_SLOPE oit_depth_slope\n"
+    "#endif\n"
+    "#endif\n"
     "\n"
     "#if OIT_HAS_COVERAGE\n"
     "// The samples that the fragment covers and that lie before the host's opaque things. Where the driver knows coverage only\n"
@@ -1865,7 +3272,8 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "uint oit_key(oit_fragment f)\n"
     "{\n"
     "#if OIT_KEY_BITS == 16\n"
-    "    uint depth = uint(clamp(gl_FragCoord.z, 0.0, 1.0) * 65534.0);\n"
+    "    uint depth = uint(clamp(gl_FragCoord.z, 0.0, 1.0) * 65534.0);\n",
+    "#line 130\n"
     "#if OIT_REVERSED_Z\n"
     "    depth = 65534u - depth;\n"
     "#endif\n"
@@ -1877,8 +3285,7 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "#endif\n"
     "\n"
     "#if OIT_KEEPS && OIT_PASS == OIT_COUNT\n"
-    "// Leaves the k + 1 smallest keys of the pixel in its k + 1 words, in no order. A word only ever gets smaller, and by a\n",
-    "#line 130\n"
+    "// Leaves the k + 1 smallest keys of the pixel in its k + 1 words, in no order. A word only ever gets smaller, and by a\n"
     "// swap that fails where another fragment was there before. So when the swap succeeds, all that was read of the other words\n"
     "// is still an upper bound of them: the key that goes is the greatest of the k + 2, whatever else is under way, and a key\n"
     "// that is not less than all words read is not less than all words are. The smallest k + 1 stay, in any order of arrival.\n"
@@ -1959,6 +3366,9 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "#if OIT_HAS_COVERAGE\n"
     "    w[OIT_AT_COVERAGE] |= oit_coverage() << uint(OIT_COVERAGE_SHIFT);\n"
     "#endif\n"
+    "#if OIT_HAS_SLOPE // halves reach from 2^-24 to 65504: scaled, from 1.5e-11 to 16 a pixel\n"
+    "    w[OIT_AT_SLOPE] = packHalf2x16(clamp(OIT_DEPTH_SLOPE * 4096.0, -65504.0, 65504.0));\n"
+    "#endif\n"
     "#if OIT_HOST_WORDS > 0\n"
     "    for (int i = 0; i < OIT_HOST_WORDS; ++i)\n"
     "        w[OIT_AT_HOST + i] = f.words[i];\n"
@@ -1971,7 +3381,8 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "    return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z != b.z ? a.z < b.z : a.w < b.w;\n"
     "}\n"
     "\n"
-    "// Into the layers of this pass, nearest first; what falls out is for a later pass. What has been composed is passed over:\n"
+    "// Into the layers of this pass, nearest first; what falls out is for a later pass. What has been composed is passed over:\n",
+    "#line 238\n"
     "// all that comes before the last record that was, and of those like it, which no one can tell apart, as many as were.\n"
     "void oit_put(uint p, uvec4 r)\n"
     "{\n"
@@ -1982,8 +3393,7 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "        oit_seen.x += r == last ? 1u : 0u;\n"
     "        if (r != last || oit_seen.x <= copies)\n"
     "            return;\n"
-    "    }\n",
-    "#line 234\n"
+    "    }\n"
     "#define OIT_EXCHANGE(l) if (oit_before(r, l)) { uvec4 kept = l; l = r; r = kept; }\n"
     "    OIT_EACH_LAYER(OIT_EXCHANGE)\n"
     "}\n"
@@ -2090,7 +3500,8 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "#endif\n"
     "    uint left = atomicAdd(oit_pixel[OIT_LEFT(p)], OIT_STORE == OIT_LINKED && OIT_DIRECT ? 1u : 0xffffffffu);\n"
     "#if OIT_ASYNC && (OIT_STORE == OIT_EXACT || OIT_STORE == OIT_LINKED)\n"
-    "    if (left >> 30u == 1u) { // OIT_UNFIT, and not what wraps below 0\n"
+    "    if (left >> 30u == 1u) { // OIT_UNFIT, and not what wraps below 0\n",
+    "#line 356\n"
     "        if (left == OIT_UNFIT) {\n"
     "            atomicAdd(oit_pixel[OIT_EXTRA], 1u);\n"
     "            return;\n"
@@ -2108,8 +3519,7 @@ static const char *const oit_i_shader_oit_store_glsl[] = {
     "#if OIT_STORE == OIT_LINKED\n"
     "    if (OIT_DIRECT || left - 1u < oit_pool.z)\n"
     "        oit_insert(p, f);\n"
-    "    else\n",
-    "#line 359\n"
+    "    else\n"
     "        atomicAdd(oit_pixel[OIT_EXTRA], 1u);\n"
     "#else\n"
     "    // Nothing is written outside of the run, however many fragments come: after as many as were counted, what is left is\n"
@@ -2597,6 +4007,8 @@ typedef const char *const *oit_i_strings;
     X(void, LinkProgram, (oit_i_u))                                                                                    \
     X(void *, MapBufferRange, (oit_i_u, ptrdiff_t, ptrdiff_t, oit_i_u))                                                \
     X(void, MemoryBarrier, (oit_i_u))                                                                                  \
+    X(void, ProgramUniform4fv, (oit_i_u, int32_t, int32_t, const float *))                                             \
+    X(void, ProgramUniform4uiv, (oit_i_u, int32_t, int32_t, const oit_i_u *))                                          \
     X(void, Scissor, (int32_t, int32_t, int32_t, int32_t))                                                             \
     X(void, ShaderSource, (oit_i_u, int32_t, const char *const *, const int32_t *))                                    \
     X(void, Uniform4fv, (int32_t, int32_t, const float *))                                                             \
@@ -2665,7 +4077,8 @@ enum {
     OIT_I_UNIFORMS = OIT_I_REPORT + 3,
     OIT_I_LIST, /* OIT_STORE_LINKED */
     OIT_I_PICKED,
-    OIT_I_BUFFER_COUNT = OIT_I_PICKED + OIT_MAX_PICKS
+    OIT_I_SURFACE = OIT_I_PICKED + OIT_MAX_PICKS, /* of operators; bound in the place of the report */
+    OIT_I_BUFFER_COUNT
 };
 #define OIT_I_REPORTS 3
 
@@ -2701,7 +4114,21 @@ enum {
     OIT_I_PROGRAM_SAMPLED = OIT_I_PROGRAM_COMPOSE + 2 * (OIT_I_CLASSES + 1), /* the same, sample by sample */
     OIT_I_PROGRAM_PICK = OIT_I_PROGRAM_SAMPLED + 2 * (OIT_I_CLASSES + 1),
     OIT_I_PROGRAM_DEPTH,
-    OIT_I_PROGRAMS
+    OIT_I_PROGRAM_SORT, /* of operators, made when they are run */
+    OIT_I_PROGRAM_CONNECT,
+    OIT_I_PROGRAM_MUTUAL,
+    OIT_I_PROGRAM_LAW,
+    OIT_I_PROGRAM_BOUND,
+    OIT_I_PROGRAM_SOLVE,
+    OIT_I_PROGRAM_JUMP,
+    OIT_I_PROGRAM_CHAIN,
+    OIT_I_PROGRAM_CURVE,
+    OIT_I_PROGRAM_GROUP,
+    OIT_I_PROGRAM_SIZE,
+    OIT_I_PROGRAM_LAID,
+    OIT_I_PROGRAM_LAID_LIGHT, /* the second draw, as of OIT_I_PROGRAM_COMPOSE */
+    OIT_I_PROGRAMS,
+    OIT_I_PROGRAM_HOST /* the host's own operator */
 };
 
 typedef struct oit_i_surface {
@@ -2779,6 +4206,7 @@ typedef enum oit_i_step {
     OIT_I_STEP_REPORT,
     OIT_I_STEP_KEEP,
     OIT_I_STEP_ARRANGE,
+    OIT_I_STEP_OPERATE, /* what oit_run asks for */
     OIT_I_STEP_DONE
 } oit_i_step;
 
@@ -2790,6 +4218,31 @@ typedef struct oit_i_list {
     oit_i_step part_start;
     int direct; /* 1: the fragments are stored before they are counted; 2: they are stored again */
 } oit_i_list;
+
+/* Sections of the buffer of the surfaces: see shaders/oit_operator.glsl. */
+enum {
+    OIT_I_AT_ORDER,
+    OIT_I_AT_LINKS,
+    OIT_I_AT_LINKS_HIGH,
+    OIT_I_AT_BASE,
+    OIT_I_AT_SPARE, /* base, reach and the host's fields go to and fro between their own and this */
+    OIT_I_AT_REACH,
+    OIT_I_AT_KAPPA,
+    OIT_I_AT_BETA,
+    OIT_I_AT_GAMMA,
+    OIT_I_AT_SIZES,
+    OIT_I_AT_SIZES_HIGH,
+    OIT_I_AT_GROUPED,
+    OIT_I_AT_HOST,
+    OIT_I_SECTIONS = OIT_I_AT_HOST + OIT_MAX_OPERATOR_FIELDS
+};
+
+/* Passes of an operator that are alike: of a program, so many of them. */
+typedef struct oit_i_stage {
+    int program, what, count;
+} oit_i_stage;
+#define OIT_I_MAX_STAGES 10
+#define OIT_I_OPACITY_WORDS (OIT_TRANSFER_CURVATURES * OIT_TRANSFER_DEPTHS / 2)
 
 #define OIT_I_MAX_STRINGS 24
 #define OIT_I_MAX_PREAMBLE 2000
@@ -2840,6 +4293,22 @@ struct oit_context {
     oit_i_pick_slot picks[OIT_MAX_PICKS];
     uint64_t pick_turns;
     int pick; /* the slot of the present pass */
+    const char *operator_strings[OIT_I_MAX_STRINGS];
+    int operator_string_count;
+    oit_i_u sections[OIT_I_SECTIONS]; /* first words; 0: there is none */
+    int wide;                         /* links are of 16 bits */
+    oit_i_u did;                      /* OIT_I_DID_*, in this frame */
+    oit_i_stage stages[OIT_I_MAX_STAGES];
+    int stage_count, stage, stage_step;
+    oit_link link; /* as run last, without zeros */
+    oit_law law;
+    oit_smart smart;
+    oit_curvature curvature;
+    int curvature_base; /* 1: its opacities go to base */
+    float shades[OIT_TRANSFER_SHADES][4];
+    oit_i_u opacities[OIT_I_OPACITY_WORDS]; /* of 16 bits */
+    oit_i_u host_program;
+    int host_section;
 };
 
 /* ---- text without stdio ----------------------------------------------------------------------------------------- */
@@ -2930,8 +4399,8 @@ OIT_I_API const char *oit_result_string(oit_result result) {
 
 OIT_I_API const char *oit_pass_kind_name(oit_pass_kind kind) {
     static const char *const names[OIT_PASS_KIND_COUNT] = {
-        "clear", "count",   "sum",  "tops",  "spread",  "report", "fill",   "compose",
-        "keep",  "arrange", "pick", "depth", "predict", "settle", "gather", "lay"};
+        "clear",   "count", "sum",   "tops",    "spread", "report", "fill", "compose", "keep",
+        "arrange", "pick",  "depth", "predict", "settle", "gather", "lay",  "operate"};
     return (unsigned)kind < (unsigned)OIT_PASS_KIND_COUNT ? names[kind] : "not a pass";
 }
 
@@ -3096,6 +4565,11 @@ static oit_result oit_i_check_limit(const oit_desc *desc, const char *name, int6
 
 #define OIT_I_LEAST_BLOCK ((int64_t)1 << 24)
 
+/* Whether there is a buffer of surfaces at all. */
+static int oit_i_operates(const oit_desc *desc) {
+    return desc->operators != 0 || desc->operator_fields > 0;
+}
+
 /* What a fragment shader knows of samples. Coverage from before the depth test does not do. */
 static oit_result oit_i_find_coverage(oit_context *oit) {
     const oit_i_gl *gl = &oit->gl;
@@ -3131,6 +4605,9 @@ static oit_result oit_i_find_limits(oit_context *oit) {
     /* All of desktop GL that comes as far as this is newer. */
     info->image_atomics = info->version >= 320 || oit_i_has_extension(gl, "GL_OES_shader_image_atomic");
     oit->has_dual = !info->es;
+    if (oit_i_operates(desc) && oit_i_check_limit(desc, "GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS (with operators)",
+                                                  info->fragment_storage_blocks, 3) != OIT_OK)
+        result = OIT_LIMIT_TOO_SMALL;
     if (result == OIT_OK && (desc->fields & OIT_FIELD_COVERAGE))
         result = oit_i_find_coverage(oit);
     return result;
@@ -3172,12 +4649,44 @@ static int oit_i_keeps(const oit_desc *desc) {
 
 /* Where the words of a record lie, in the order in which they are compared; 0: not there. */
 typedef struct oit_i_record {
-    int part, key, color, blend, normal, uv, coverage, host, link, words, lanes;
+    int part, key, color, blend, normal, uv, slope, coverage, host, link, words, lanes;
     int sorted;         /* words up to colour, blend and coverage, by which runs are sorted and composed: 8 at most */
     int coverage_shift; /* bits; coverage shares the word of blend where that has one */
 } oit_i_record;
 
 static oit_i_record oit_i_layout(const oit_desc *desc);
+
+/* ---- operators -------------------------------------------------------------------------------------------------- */
+
+/* What a run of an operator leaves for those after it in the frame. */
+enum { OIT_I_DID_SORT = 1, OIT_I_DID_LINK = 2, OIT_I_DID_BASE = 4, OIT_I_DID_SMART = 8, OIT_I_DID_CURVE = 16 };
+enum { OIT_I_DID_SHADE = 32 };
+
+static oit_i_u oit_i_links_of(oit_i_u operators) {
+    if (operators & (OIT_OPERATE_DIFFUSION | OIT_OPERATE_THIN))
+        operators |= OIT_OPERATE_SMART;
+    if (operators & (OIT_OPERATE_SMART | OIT_OPERATE_CURVATURE))
+        operators |= OIT_OPERATE_LINKS | OIT_OPERATE_LAW;
+    if (operators & OIT_OPERATE_BUCKETS)
+        operators |= OIT_OPERATE_LINKS;
+    return operators;
+}
+
+static const char *oit_i_bad_operators(const oit_desc *desc) {
+    if (desc->operators & ~OIT_OPERATE_ALL)
+        return "operators has bits that are none";
+    if (desc->operator_fields < 0 || desc->operator_fields > OIT_MAX_OPERATOR_FIELDS)
+        return "operator_fields is not in 0 ... 4";
+    if (!oit_i_operates(desc))
+        return 0;
+    if (desc->store == OIT_STORE_FETCH)
+        return "operators do not go with OIT_STORE_FETCH, which keeps no fragments";
+    if (desc->alpha_law != OIT_ALPHA_CONSTANT)
+        return "alpha_law does not go with operators, which have OIT_RUN_LAW";
+    if (desc->fields & OIT_FIELD_COVERAGE)
+        return "operators do not go with OIT_FIELD_COVERAGE: neighbours are those of pixels, not of samples";
+    return 0;
+}
 
 static const char *oit_i_bad_member(const oit_desc *desc) {
 #ifndef OIT_GL_STATIC
@@ -3223,7 +4732,7 @@ static const char *oit_i_bad_member(const oit_desc *desc) {
         return "host_words is not in 0 ... 8";
     if (desc->ceiling_bytes < 0 || desc->max_block_bytes < 0)
         return "ceiling_bytes or max_block_bytes is negative";
-    return 0;
+    return oit_i_bad_operators(desc);
 }
 
 /* ---- state: saved, set, restored -------------------------------------------------------------------------------- */
@@ -3580,6 +5089,8 @@ static oit_i_record oit_i_layout(const oit_desc *desc) {
         at.uv = next;
         next += 2;
     }
+    if (desc->operators & OIT_OPERATE_LINKS)
+        at.slope = next++;
     at.host = next;
     next += desc->host_words;
     if (desc->store == OIT_STORE_LINKED)
@@ -3653,6 +5164,8 @@ static void oit_i_write_preamble(const oit_desc *desc, int es, char *at, size_t 
     oit_i_define(&text, "OIT_AT_BLEND", record.blend);
     oit_i_define(&text, "OIT_AT_NORMAL", record.normal);
     oit_i_define(&text, "OIT_AT_UV", record.uv);
+    oit_i_define(&text, "OIT_HAS_SLOPE", record.slope != 0);
+    oit_i_define(&text, "OIT_AT_SLOPE", record.slope);
     oit_i_define(&text, "OIT_AT_COVERAGE", record.coverage);
     oit_i_define(&text, "OIT_COVERAGE_SHIFT", record.coverage_shift);
     oit_i_define(&text, "OIT_AT_HOST", record.host);
@@ -3855,7 +5368,8 @@ static void oit_i_compute_source(oit_i_source *source, int program, int async) {
 }
 
 static int oit_i_is_compute(int program) {
-    return program < OIT_I_PROGRAM_COUNT || program == OIT_I_PROGRAM_PICK;
+    return program < OIT_I_PROGRAM_COUNT || program == OIT_I_PROGRAM_PICK ||
+           (program >= OIT_I_PROGRAM_SORT && program < OIT_I_PROGRAM_LAID);
 }
 
 static int oit_i_is_surface(int program) {
@@ -3886,6 +5400,45 @@ static void oit_i_ordered_source(oit_i_source *source, int program, const oit_de
     oit_i_add_chunks(source, program == OIT_I_PROGRAM_PICK ? oit_i_shader_oit_pick_comp : oit_i_shader_oit_depth_frag);
 }
 
+/* In the order of OIT_I_PROGRAM_SORT, ... */
+static const oit_i_strings oit_i_operators[] = {
+    oit_i_shader_oit_operator_sort_comp,  oit_i_shader_oit_operator_connect_comp, oit_i_shader_oit_operator_mutual_comp,
+    oit_i_shader_oit_operator_law_comp,   oit_i_shader_oit_operator_bound_comp,   oit_i_shader_oit_operator_solve_comp,
+    oit_i_shader_oit_operator_jump_comp,  oit_i_shader_oit_operator_chain_comp,   oit_i_shader_oit_operator_curve_comp,
+    oit_i_shader_oit_operator_group_comp, oit_i_shader_oit_operator_size_comp};
+
+/* What every operator begins with, after the preamble. */
+static void oit_i_operator_source(oit_i_source *source) {
+    oit_i_add(source, "#define OIT_CLASS 1\n#define OIT_DEEP 0\n#define OIT_COVERED 0\n");
+    oit_i_add_chunks(source, oit_i_shader_oit_frame_block_glsl);
+    oit_i_add_chunks(source, oit_i_shader_oit_color_glsl);
+    oit_i_add_chunks(source, oit_i_shader_oit_record_glsl);
+    oit_i_add_chunks(source, oit_i_shader_oit_ordered_glsl);
+}
+
+static int oit_i_is_operator(int program) {
+    return program >= OIT_I_PROGRAM_SORT && program < OIT_I_PROGRAM_LAID;
+}
+
+static void oit_i_built_in_operator_source(oit_i_source *source, int program) {
+    if (program == OIT_I_PROGRAM_JUMP || program == OIT_I_PROGRAM_SIZE)
+        oit_i_add(source, "#define OIT_OWN_MAIN 1\n");
+    oit_i_operator_source(source);
+    oit_i_add_chunks(source, oit_i_shader_oit_operator_glsl);
+    oit_i_add_chunks(source, oit_i_operators[program - OIT_I_PROGRAM_SORT]);
+}
+
+static void oit_i_laid_source(oit_i_source *source, int mode) {
+    static const char *const modes[4] = {"#define OIT_MODE 0\n", "#define OIT_MODE 1\n", "#define OIT_MODE 2\n",
+                                         "#define OIT_MODE 3\n"};
+    oit_i_add(source, modes[mode]);
+    oit_i_add(source, "#define OIT_COMPOSES 1\n");
+    oit_i_operator_source(source);
+    oit_i_add_chunks(source, oit_i_shader_oit_behind_glsl);
+    oit_i_add_chunks(source, oit_i_shader_oit_operator_glsl);
+    oit_i_add_chunks(source, oit_i_shader_oit_operator_compose_frag);
+}
+
 /* The whole text of one stage of a built-in program; dual: there is dual-source blending. */
 static void oit_i_program_source(oit_i_source *source, int program, oit_stage stage, const oit_desc *desc, int es,
                                  const char *preamble, char *scratch) {
@@ -3901,7 +5454,13 @@ static void oit_i_program_source(oit_i_source *source, int program, oit_stage st
         return;
     }
     oit_i_add_preamble(source, es, preamble);
-    if ((program == OIT_I_PROGRAM_FIRST || program == OIT_I_PROGRAM_LAY) && stage == OIT_FRAGMENT) {
+    if (oit_i_is_operator(program)) {
+        oit_i_built_in_operator_source(source, program);
+    } else if (program >= OIT_I_PROGRAM_LAID && stage == OIT_FRAGMENT) {
+        if (desc->fields & OIT_FIELD_BLEND)
+            mode = !es ? OIT_I_MODE_DUAL : program == OIT_I_PROGRAM_LAID_LIGHT ? OIT_I_MODE_LIGHT : OIT_I_MODE_FILTER;
+        oit_i_laid_source(source, mode);
+    } else if ((program == OIT_I_PROGRAM_FIRST || program == OIT_I_PROGRAM_LAY) && stage == OIT_FRAGMENT) {
         oit_i_lay_source(source, program);
     } else if (program == OIT_I_PROGRAM_PICK || (program == OIT_I_PROGRAM_DEPTH && stage == OIT_FRAGMENT)) {
         oit_i_ordered_source(source, program, desc);
@@ -4012,6 +5571,16 @@ static void oit_i_assemble_host_sources(oit_context *oit) {
     }
 }
 
+static void oit_i_assemble_operator_source(oit_context *oit) {
+    oit_i_source source;
+    oit_i_add_preamble(&source, oit->info.es, oit->preamble);
+    oit_i_operator_source(&source);
+    oit_i_add_chunks(&source, oit_i_shader_oit_operator_glsl);
+    oit_i_add(&source, "#line 1\n");
+    memcpy(oit->operator_strings, source.strings, (size_t)source.count * sizeof source.strings[0]);
+    oit->operator_string_count = source.count;
+}
+
 OIT_I_API const char *const *oit_glsl(const oit_context *oit, oit_stage stage, oit_pass_kind kind, int *count) {
     int fill = kind == OIT_PASS_FILL;
     if (!oit || (unsigned)stage >= (unsigned)OIT_STAGE_COUNT || !count || (kind != OIT_PASS_COUNT && !fill))
@@ -4087,6 +5656,8 @@ static oit_result oit_i_set_up(oit_context *oit) {
     if (oit->desc.store == OIT_STORE_FETCH && oit_i_find_fetch(oit) != OIT_OK)
         return OIT_NO_FETCH;
     oit_i_assemble_host_sources(oit);
+    if (oit_i_operates(&oit->desc))
+        oit_i_assemble_operator_source(oit);
     return OIT_OK;
 }
 
@@ -4099,11 +5670,14 @@ OIT_I_API oit_context *oit_create(const oit_desc *desc, oit_result *result) {
     *result = OIT_INVALID_ARGUMENT;
     if (!desc)
         return 0;
-    if (oit_i_bad_member(desc)) {
-        oit_i_fail(desc, OIT_INVALID_ARGUMENT, "oit_create", oit_i_bad_member(desc));
+    d = *desc;
+    d.operators = oit_i_links_of(d.operators);
+    if (d.operators & OIT_OPERATE_LINKS)
+        d.fields |= OIT_FIELD_PART | OIT_FIELD_NORMAL;
+    if (oit_i_bad_member(&d)) {
+        oit_i_fail(desc, OIT_INVALID_ARGUMENT, "oit_create", oit_i_bad_member(&d));
         return 0;
     }
-    d = *desc;
     if (!d.alloc_fn) {
         d.alloc_fn = oit_i_default_alloc;
         d.free_fn = oit_i_default_free;
@@ -4243,15 +5817,59 @@ static int oit_i_kept_words(const oit_desc *desc) {
     return desc->store == OIT_STORE_BUCKETED ? 3 : 1;
 }
 
+/* Sections of the buffer of the surfaces that the operators of this context need; each of a word a fragment. */
+static int oit_i_has_section(const oit_context *oit, int section, int wide) {
+    oit_i_u operators = oit->desc.operators;
+    switch (section) {
+    case OIT_I_AT_ORDER:
+        return oit_i_operates(&oit->desc);
+    case OIT_I_AT_LINKS:
+        return (operators & OIT_OPERATE_LINKS) != 0;
+    case OIT_I_AT_LINKS_HIGH:
+        return (operators & OIT_OPERATE_LINKS) != 0 && wide;
+    case OIT_I_AT_BASE:
+        return (operators & OIT_OPERATE_LAW) != 0;
+    case OIT_I_AT_SPARE:
+        return (operators & (OIT_OPERATE_SMART | OIT_OPERATE_LOCAL)) != 0;
+    case OIT_I_AT_REACH:
+        return (operators & OIT_OPERATE_SMART) != 0;
+    case OIT_I_AT_KAPPA:
+        return (operators & OIT_OPERATE_CURVATURE) != 0;
+    case OIT_I_AT_BETA:
+    case OIT_I_AT_GAMMA:
+        return (operators & OIT_OPERATE_DIFFUSION) != 0;
+    case OIT_I_AT_SIZES:
+    case OIT_I_AT_SIZES_HIGH:
+        return (operators & OIT_OPERATE_THIN) != 0;
+    case OIT_I_AT_GROUPED:
+        return (operators & OIT_OPERATE_BUCKETS) != 0;
+    default:
+        return section - OIT_I_AT_HOST < oit->desc.operator_fields;
+    }
+}
+
+static int oit_i_section_count(const oit_context *oit, int wide) {
+    int i, count = 0;
+    for (i = 0; i < OIT_I_SECTIONS; ++i)
+        count += oit_i_has_section(oit, i, wide);
+    return count;
+}
+
 #define OIT_I_MAX_LAYERS 1024
 
 /* k: as many as the budget has room for in each pixel of the image. */
 static int oit_i_layers(const oit_context *oit, int64_t pixels) {
-    int64_t each = oit->info.fragment_bytes + 4 * oit_i_kept_words(&oit->desc);
+    int64_t fields = 4 * (int64_t)oit_i_section_count(oit, 1);
+    int64_t each = oit->info.fragment_bytes + 4 * oit_i_kept_words(&oit->desc) + fields;
     int64_t most = oit->desc.layers ? oit->desc.layers : OIT_I_MAX_LAYERS;
     int64_t layers = pixels > 0 ? oit->desc.budget_bytes / each / pixels : 0;
     if (!oit_i_keeps(&oit->desc))
         return 0;
+    if (fields) { /* no slabs: operators need all of the image at once */
+        int64_t widest = fields > oit->info.fragment_bytes ? fields : oit->info.fragment_bytes;
+        int64_t held = (oit->desc.max_block_bytes - 4 * OIT_I_HEADER_WORDS) / widest / (pixels > 0 ? pixels : 1);
+        most = held < most ? held : most;
+    }
     if (most > OIT_I_MAX_LAYERS)
         most = OIT_I_MAX_LAYERS;
     return (int)(layers < most ? layers : most);
@@ -4441,6 +6059,30 @@ static oit_result oit_i_make_buffers(oit_context *oit) {
     if (!oit->capacity)
         return oit_i_set_capacity(
             oit, oit->report.needed ? oit_i_with_quarter(oit->report.needed) : 4 * (uint64_t)pixels, "oit_begin");
+    return OIT_OK;
+}
+
+/* ---- the buffer of the surfaces ---- */
+
+/* The buffer, for as many fragments as the pool holds, and where its sections lie. The target must be borrowed. */
+static oit_result oit_i_make_surfaces(oit_context *oit, const char *function) {
+    oit_i_u deepest = oit_i_keeps(&oit->desc)         ? (oit_i_u)oit->layers
+                      : oit->desc.fit == OIT_FIT_WAIT ? oit->deepest
+                                                      : oit->report.deepest;
+    int64_t words = OIT_I_HEADER_WORDS;
+    int i;
+    oit->wide = deepest > 254;
+    for (i = 0; i < OIT_I_SECTIONS; ++i) {
+        oit->sections[i] = oit_i_has_section(oit, i, oit->wide) ? (oit_i_u)words : 0;
+        words += oit->sections[i] ? (int64_t)oit->capacity : 0;
+    }
+    if (4 * words > oit->desc.max_block_bytes)
+        return oit_i_fail(&oit->desc, OIT_TOO_LARGE, function,
+                          "the fields of the fragments are more than a block holds");
+    if (oit->sizes[OIT_I_SURFACE] >= 4 * words && oit->sizes[OIT_I_SURFACE] / 4 <= 4 * words)
+        return OIT_OK;
+    if (!oit_i_resize(oit, OIT_I_SURFACE, 4 * words, OIT_I_GL_DYNAMIC_COPY))
+        return oit_i_fail(&oit->desc, OIT_OUT_OF_MEMORY, function, "no memory for the fields of the fragments");
     return OIT_OK;
 }
 
@@ -4705,7 +6347,7 @@ static int oit_i_has_program(const oit_desc *desc, int program) {
 static int oit_i_uses_program(const oit_context *oit, int program) {
     int draw = program - OIT_I_PROGRAM_COMPOSE, keeps = oit_i_keeps(&oit->desc);
     int sampled = program >= OIT_I_PROGRAM_SAMPLED;
-    if (!oit_i_has_program(&oit->desc, program))
+    if (!oit_i_has_program(&oit->desc, program) || program >= OIT_I_PROGRAM_SORT) /* oit_run makes those */
         return 0;
     if (program == OIT_I_PROGRAM_DEPTH)
         return oit->frame.depth != OIT_DEPTH_NONE;
@@ -4847,6 +6489,8 @@ static oit_result oit_i_prepare(oit_context *oit) {
         (oit->desc.fit == OIT_FIT_ASYNC ? news : oit->desc.store != OIT_STORE_EXACT) &&
         oit_i_capacity_is_wrong(oit, oit->places))
         result = oit_i_set_capacity(oit, oit_i_with_quarter(oit->places), "oit_begin");
+    if (result == OIT_OK && oit_i_operates(&oit->desc) && oit->desc.state == OIT_STATE_NONE)
+        result = oit_i_make_surfaces(oit, "oit_begin");
     if (result == OIT_OK) {
         oit_i_start_slab(oit);
         block = oit_i_make_block(oit);
@@ -4880,6 +6524,7 @@ OIT_I_API oit_result oit_begin(oit_context *oit, const oit_frame *frame) {
     oit->saved_state = 0;
     oit->slot = -1;
     oit->bands = 0;
+    oit->did = 0;
     oit->step = OIT_I_STEP_DONE;
     if (frame->width && frame->height) {
         if (oit->desc.state != OIT_STATE_NONE) {
@@ -4934,6 +6579,23 @@ OIT_I_API oit_result oit_begin(oit_context *oit, const oit_frame *frame) {
      arrange  pixels: starts, left read; keys, buckets both; fragments read           fill (bucketed)
      compose  pixels, fragments read                                                  fill, arrange
 
+   Of operators, all on the buffer of the surfaces (each pass writes and reads it); pixels (starts, left) and fragments are
+   read by all. Every pass of an operator has a barrier before it, the first because of fill (or gather, settle, arrange):
+
+     sort     order written
+     group    order read; grouped written               sort
+     connect  order, grouped read; links written        sort, group
+     mutual   links both, in place: see the shader      connect
+     law      order, links, reach read; base written    sort, mutual, solve
+     bound    order, links read; reach, beta, gamma written               mutual
+     size     links, reach read; sizes both, in place: only distances that have come for certain are used     bound
+     solve    links read; reach both, in place: see the shader; one field to spare      bound, law, solve
+     jump     links, reach read; spare written, which then is reach       bound, jump
+     chain    links, base read; spare written, which then is base         law, chain
+     curve    order, links read; kappa, base written                      mutual
+     host     anything read; base and fields of the own pixel, or spare, written      any of these
+     compose  order, base, reach, sizes, beta, gamma, kappa read          any of these; and the next frame's clear and fill
+
    What the CPU maps (report; starts, to cut bands) takes a barrier of buffer updates, and then its fence, or waits. */
 static oit_i_u oit_i_barrier_before(oit_pass_kind kind) {
     switch (kind) {
@@ -4980,6 +6642,12 @@ static int oit_i_is_lit(const oit_context *oit) {
     return oit->block.light[0] != 0.0f || oit->block.light[1] != 0.0f || oit->block.light[2] != 0.0f;
 }
 
+/* Whether that draw of the composition is the one by what operators have made, which stands for the programs of all
+   depths. */
+static int oit_i_lays(const oit_context *oit, int draw) {
+    return (oit->did & (OIT_I_DID_BASE | OIT_I_DID_SMART | OIT_I_DID_SHADE)) && draw % (OIT_I_CLASSES + 1) == 0;
+}
+
 static int oit_i_program_of(const oit_context *oit, oit_pass_kind kind) {
     switch (kind) {
     case OIT_PASS_CLEAR:
@@ -5013,11 +6681,587 @@ static int oit_i_program_of(const oit_context *oit, oit_pass_kind kind) {
     case OIT_PASS_DEPTH:
         return OIT_I_PROGRAM_DEPTH;
     default:
+        if (oit_i_lays(oit, oit->compose_index))
+            return oit->compose_index == 0 ? OIT_I_PROGRAM_LAID : OIT_I_PROGRAM_LAID_LIGHT;
         return oit->compose_index < oit_i_pixel_draws(oit)
                    ? OIT_I_PROGRAM_COMPOSE + oit->compose_index
                    : OIT_I_PROGRAM_SAMPLED + oit->compose_index - oit_i_pixel_draws(oit);
     }
 }
+
+/* ---- passes of operators ---- */
+
+/* Distance along the view of a window depth z is (out[0] + out[1] z) / (out[2] + out[3] z): clip z and w are
+   p[10] e + p[14] and p[11] e + p[15] of the eye's z, e. */
+static void oit_i_distance_terms(const oit_frame *frame, int zero_to_one, double out[4]) {
+    const float *p = frame->projection;
+    double scale = zero_to_one ? 1.0 : 2.0, offset = zero_to_one ? 0.0 : -1.0;
+    out[0] = offset * (double)p[15] - (double)p[14];
+    out[1] = scale * (double)p[15];
+    out[2] = offset * (double)p[11] - (double)p[10];
+    out[3] = scale * (double)p[11];
+}
+
+/* oit_set[4 ... 6] of shaders/oit_operator.glsl. */
+static void oit_i_operator_view(const oit_context *oit, float set[8][4]) {
+    const float *p = oit->frame.projection;
+    double terms[4];
+    int i;
+    oit_i_distance_terms(&oit->frame, oit->frame.zero_to_one, terms);
+    for (i = 0; i < 4; ++i)
+        set[4][i] = (float)terms[i];
+    set[5][0] = (float)(1.0 / (double)p[0]);
+    set[5][1] = (float)(1.0 / (double)p[5]);
+    set[5][2] = (float)((double)p[8] / (double)p[0]);
+    set[5][3] = (float)((double)p[9] / (double)p[5]);
+    set[6][0] = p[11];
+    set[6][1] = p[15];
+    set[6][2] = (float)((double)p[12] / (double)p[0]);
+    set[6][3] = (float)((double)p[13] / (double)p[5]);
+}
+
+/* ---- what is asked for: defaults, and what cannot be ---- */
+
+static float oit_i_or(float x, float standard) {
+    return x == 0.0f ? standard : x < 0.0f ? 0.0f : x;
+}
+
+static oit_link oit_i_resolve_link(oit_link link) {
+    if (link.depth_weight == 0.0f && link.normal_weight == 0.0f)
+        link.depth_weight = link.normal_weight = 0.5f;
+    link.radius = oit_i_or(link.radius, 1.0f);
+    link.limit = link.limit == 0.0f ? 0.05f : link.limit;
+    if (link.criterion != OIT_LINK_DEPTH && link.search == OIT_SEARCH_WINDOWED)
+        link.search = OIT_SEARCH_BRUTE;
+    return link;
+}
+
+static oit_spread oit_i_resolve_spread(oit_spread spread, float lambda, oit_process process) {
+    spread.iterations = spread.iterations == 0 ? 20 : spread.iterations < 0 ? 0 : spread.iterations;
+    spread.lambda = oit_i_or(spread.lambda, lambda);
+    if (spread.process == OIT_PROCESS_DEFAULT)
+        spread.process = process;
+    spread.p = oit_i_or(spread.p, spread.profile == OIT_PROFILE_11 ? 0.3f : 3.0f);
+    return spread;
+}
+
+static oit_smart oit_i_resolve_smart(oit_smart smart) {
+    smart.base = oit_i_resolve_spread(smart.base, 1.0f, OIT_PROCESS_DIFFUSION);
+    smart.beta = oit_i_resolve_spread(smart.beta, 0.05f, OIT_PROCESS_GREATEST);
+    smart.gamma = oit_i_resolve_spread(smart.gamma, 0.1f, OIT_PROCESS_GREATEST);
+    if (smart.published)
+        smart.jumps = 0;
+    return smart;
+}
+
+static oit_law oit_i_resolve_law(oit_law law) {
+    law.s = oit_i_or(law.s, 0.3f);
+    law.exponent = oit_i_or(law.exponent, 1.0f);
+    law.scale = oit_i_or(law.scale, 4.0f);
+    law.reach = oit_i_or(law.reach, 20.0f);
+    return law;
+}
+
+static const char *oit_i_bad_link(const oit_context *oit, const oit_link *link) {
+    if ((unsigned)link->criterion > (unsigned)OIT_LINK_MURRAY || (unsigned)link->search > (unsigned)OIT_SEARCH_BUCKETS)
+        return "link.criterion or link.search is none of its enumerators";
+    if (!oit_i_all_finite(&link->depth_weight, 4))
+        return "a number of link is not finite";
+    if (link->depth_weight < 0.0f || link->normal_weight < 0.0f || link->radius < 0.0f)
+        return "a weight or the radius of link is negative";
+    if (link->criterion == OIT_LINK_UV && !(oit->desc.fields & OIT_FIELD_UV))
+        return "OIT_LINK_UV compares what OIT_FIELD_UV stores, which is not chosen";
+    if (link->search == OIT_SEARCH_BUCKETS && !(oit->desc.operators & OIT_OPERATE_BUCKETS))
+        return "OIT_SEARCH_BUCKETS needs OIT_OPERATE_BUCKETS in desc.operators";
+    return 0;
+}
+
+static const char *oit_i_bad_law(const oit_context *oit, const oit_law *law) {
+    if ((unsigned)law->kind > (unsigned)OIT_LAW_DISTANCE)
+        return "law.kind is none of its enumerators";
+    if (!oit_i_all_finite(&law->s, 4) || law->s > 1.0f)
+        return "a number of law is not finite, or law.s is above 1";
+    if ((law->kind == OIT_LAW_ANGLE) && !(oit->desc.fields & OIT_FIELD_NORMAL))
+        return "OIT_LAW_ANGLE needs OIT_FIELD_NORMAL";
+    return 0;
+}
+
+static const char *oit_i_bad_spread(const oit_context *oit, const oit_spread *spread, int base) {
+    if ((unsigned)spread->process > (unsigned)OIT_PROCESS_GREATEST ||
+        (unsigned)spread->profile > (unsigned)OIT_PROFILE_11)
+        return "process or profile of a field of smart is none of its enumerators";
+    if (spread->iterations > 65533)
+        return "iterations of a field of smart are more than 65533";
+    if (!oit_i_all_finite(&spread->lambda, 1) || spread->lambda > 1.0f || !oit_i_all_finite(&spread->p, 1))
+        return "lambda of a field of smart is above 1, or a number is not finite";
+    if (base && spread->process == OIT_PROCESS_GREATEST)
+        return "base spreads by diffusion alone";
+    if (!base && spread->process == OIT_PROCESS_DIFFUSION && !(oit->desc.operators & OIT_OPERATE_DIFFUSION))
+        return "diffusion of beta or gamma needs OIT_OPERATE_DIFFUSION in desc.operators";
+    return 0;
+}
+
+static const char *oit_i_bad_smart(const oit_context *oit, const oit_smart *smart) {
+    const char *bad = oit_i_bad_spread(oit, &smart->base, 1);
+    if (!bad)
+        bad = oit_i_bad_spread(oit, &smart->beta, 0);
+    if (!bad)
+        bad = oit_i_bad_spread(oit, &smart->gamma, 0);
+    if (!bad && (!oit_i_all_finite(&smart->thin, 1) || smart->thin < 0.0f || smart->rounds < 0))
+        bad = "smart.thin or smart.rounds is negative or not finite";
+    if (!bad && smart->thin > 0.0f && !(oit->desc.operators & OIT_OPERATE_THIN))
+        bad = "smart.thin needs OIT_OPERATE_THIN in desc.operators";
+    return bad;
+}
+
+static const char *oit_i_bad_curvature(const oit_curvature *curvature) {
+    const float numbers[3] = {curvature->unit, curvature->first, curvature->last};
+    if ((unsigned)curvature->shade > (unsigned)OIT_SHADE_CURVED ||
+        (unsigned)curvature->opacity > (unsigned)OIT_OPACITY_DEEP)
+        return "curvature.shade or curvature.opacity is none of its enumerators";
+    if (!oit_i_all_finite(numbers, 3) || curvature->unit < 0.0f)
+        return "a number of curvature is not finite, or curvature.unit is negative";
+    if (curvature->shades && !oit_i_all_finite(curvature->shades, 3 * OIT_TRANSFER_SHADES))
+        return "a number of curvature.shades is not finite";
+    if (curvature->opacities && !oit_i_all_finite(curvature->opacities, OIT_TRANSFER_CURVATURES * OIT_TRANSFER_DEPTHS))
+        return "a number of curvature.opacities is not finite";
+    return 0;
+}
+
+static const char *oit_i_bad_host(const oit_context *oit, const oit_host_operator *host) {
+    if (host->program == 0 || host->iterations < 0)
+        return "host.program is missing, or host.iterations is negative";
+    if (host->iterations == 0)
+        return 0;
+    if (!oit->sections[OIT_I_AT_SPARE])
+        return "host.iterations need OIT_OPERATE_LOCAL in desc.operators";
+    if (host->value == OIT_VALUE_BASE)
+        return oit->sections[OIT_I_AT_BASE] ? 0 : "host.value is OIT_VALUE_BASE, which needs OIT_OPERATE_LAW";
+    if (host->value < OIT_VALUE_HOST || host->value >= OIT_VALUE_HOST + oit->desc.operator_fields)
+        return "host.value is neither OIT_VALUE_BASE nor one of desc.operator_fields";
+    return 0;
+}
+
+static const char *oit_i_bad_operator(const oit_context *oit, const oit_operator *op) {
+    static const oit_i_u needs[5] = {OIT_OPERATE_LINKS, OIT_OPERATE_LAW, OIT_OPERATE_SMART, OIT_OPERATE_CURVATURE, 0};
+    const float *p = oit->frame.projection;
+    if ((unsigned)op->kind > (unsigned)OIT_RUN_HOST)
+        return "kind is none of its enumerators";
+    if ((oit->desc.operators & needs[op->kind]) != needs[op->kind] || !oit_i_operates(&oit->desc))
+        return "the operator is not one of desc.operators";
+    if (!oit_i_all_finite(p, 16) || p[0] == 0.0f || p[5] == 0.0f || (p[11] == 0.0f && p[15] == 0.0f))
+        return "frame.projection is missing, or no projection";
+    switch (op->kind) {
+    case OIT_RUN_LINK:
+        return oit_i_bad_link(oit, &op->link);
+    case OIT_RUN_LAW:
+        return oit_i_bad_law(oit, &op->law);
+    case OIT_RUN_SMART:
+        return oit_i_bad_smart(oit, &op->smart);
+    case OIT_RUN_CURVATURE:
+        return oit_i_bad_curvature(&op->curvature);
+    default:
+        return oit_i_bad_host(oit, &op->host);
+    }
+}
+
+/* What has to be run before it, by name; NULL: nothing is missing. */
+static const char *oit_i_missing_run(const oit_context *oit, const oit_operator *op) {
+    int law = op->kind == OIT_RUN_LAW ? (int)op->law.kind : -1;
+    int links = op->kind == OIT_RUN_SMART || op->kind == OIT_RUN_CURVATURE || law == (int)OIT_LAW_VARIATION;
+    if (links && !(oit->did & OIT_I_DID_LINK))
+        return "OIT_RUN_LINK comes before it";
+    if (law == (int)OIT_LAW_DISTANCE && !(oit->did & OIT_I_DID_SMART))
+        return "OIT_LAW_DISTANCE takes the distances of OIT_RUN_SMART, which comes before it";
+    return 0;
+}
+
+/* ---- passes of an operator ---- */
+
+static void oit_i_add_stage(oit_context *oit, int program, int what, int count) {
+    oit_i_stage *stage = &oit->stages[oit->stage_count];
+    if (count <= 0)
+        return;
+    stage->program = program;
+    stage->what = what;
+    stage->count = count;
+    ++oit->stage_count;
+}
+
+/* 0 where neither is by equation 9. */
+static int oit_i_greatest_steps(const oit_smart *smart) {
+    int beta = smart->beta.process == OIT_PROCESS_GREATEST ? smart->beta.iterations : 0;
+    int gamma = smart->gamma.process == OIT_PROCESS_GREATEST ? smart->gamma.iterations : 0;
+    return beta > gamma ? beta : gamma;
+}
+
+/* Iterations of equation 8 that one pair of passes along rows and columns stands for: so many that 15 links hold all but
+   1/500 of the weights. */
+#define OIT_I_CHAIN_STEPS 50
+#define OIT_I_JUMP_REACH 32
+
+/* Passes along rows and columns in turn that measure the surface's width, as far as smart.thin may matter. */
+static int oit_i_size_passes(const oit_smart *smart) {
+    int steps = oit_i_greatest_steps(smart), rounds = 1;
+    double widest = smart->thin > 0.0f ? (double)steps / (double)smart->thin : 0.0;
+    while (rounds < 64 && (double)(OIT_I_JUMP_REACH * rounds) < widest)
+        ++rounds;
+    return 2 * (rounds + 1); /* the first of each axis forgets */
+}
+
+static int oit_i_jump_rounds(const oit_smart *smart, int steps) {
+    int straight = (steps + OIT_I_JUMP_REACH - 1) / OIT_I_JUMP_REACH + 3;
+    if (steps == 0)
+        return 0;
+    if (smart->until_stable)
+        return steps; /* each round is worth an iteration at least */
+    return smart->rounds ? smart->rounds : straight;
+}
+
+static void oit_i_plan_smart(oit_context *oit) {
+    const oit_smart *smart = &oit->smart;
+    int greatest = oit_i_greatest_steps(smart), base = smart->base.iterations;
+    if (!(oit->did & OIT_I_DID_BASE))
+        oit_i_add_stage(oit, OIT_I_PROGRAM_LAW, OIT_LAW_GIVEN, 1);
+    oit_i_add_stage(oit, OIT_I_PROGRAM_BOUND, 0, 1);
+    if (smart->thin > 0.0f)
+        oit_i_add_stage(oit, OIT_I_PROGRAM_SIZE, 0, oit_i_size_passes(smart));
+    if (smart->jumps) {
+        oit_i_add_stage(oit, OIT_I_PROGRAM_JUMP, 0, 2 * oit_i_jump_rounds(smart, greatest));
+        oit_i_add_stage(oit, OIT_I_PROGRAM_CHAIN, 0, 2 * ((base + OIT_I_CHAIN_STEPS - 1) / OIT_I_CHAIN_STEPS));
+    } else {
+        oit_i_add_stage(oit, OIT_I_PROGRAM_SOLVE, OIT_I_AT_BASE, greatest > base ? greatest : base);
+    }
+    if (smart->beta.process == OIT_PROCESS_DIFFUSION)
+        oit_i_add_stage(oit, OIT_I_PROGRAM_SOLVE, OIT_I_AT_BETA, smart->beta.iterations);
+    if (smart->gamma.process == OIT_PROCESS_DIFFUSION)
+        oit_i_add_stage(oit, OIT_I_PROGRAM_SOLVE, OIT_I_AT_GAMMA, smart->gamma.iterations);
+}
+
+static int oit_i_host_makes_base(const oit_context *oit, const oit_operator *op) {
+    return op->host.value == (int)OIT_VALUE_BASE && oit->sections[OIT_I_AT_BASE] != 0;
+}
+
+static void oit_i_plan(oit_context *oit, const oit_operator *op) {
+    oit->stage_count = oit->stage = oit->stage_step = 0;
+    if (!(oit->did & OIT_I_DID_SORT))
+        oit_i_add_stage(oit, OIT_I_PROGRAM_SORT, 0, 1);
+    if (op->kind == OIT_RUN_LINK) {
+        if (oit->link.search == OIT_SEARCH_BUCKETS)
+            oit_i_add_stage(oit, OIT_I_PROGRAM_GROUP, 0, 1);
+        oit_i_add_stage(oit, OIT_I_PROGRAM_CONNECT, 0, oit->link.search == OIT_SEARCH_WINDOWED ? 1 : 4);
+        if (!oit->link.no_reverse_check && oit->link.criterion != OIT_LINK_PUBLISHED)
+            oit_i_add_stage(oit, OIT_I_PROGRAM_MUTUAL, 0, 1);
+    } else if (op->kind == OIT_RUN_LAW) {
+        oit_i_add_stage(oit, OIT_I_PROGRAM_LAW, (int)op->law.kind, 1);
+    } else if (op->kind == OIT_RUN_SMART) {
+        oit_i_plan_smart(oit);
+    } else if (op->kind == OIT_RUN_CURVATURE) {
+        if (oit->curvature_base && !(oit->did & OIT_I_DID_BASE)) /* of what is no surface, too */
+            oit_i_add_stage(oit, OIT_I_PROGRAM_LAW, OIT_LAW_GIVEN, 1);
+        oit_i_add_stage(oit, OIT_I_PROGRAM_CURVE, 0, 1);
+    } else {
+        if (oit_i_host_makes_base(oit, op) && !(oit->did & OIT_I_DID_BASE))
+            oit_i_add_stage(oit, OIT_I_PROGRAM_LAW, OIT_LAW_GIVEN, 1);
+        oit_i_add_stage(oit, OIT_I_PROGRAM_HOST, op->host.iterations > 0,
+                        op->host.iterations ? op->host.iterations : 1);
+    }
+}
+
+/* ---- numbers of a pass: oit_at and oit_set of shaders/oit_operator.glsl ---- */
+
+typedef struct oit_i_numbers {
+    oit_i_u at[6][4];
+    float set[8][4];
+} oit_i_numbers;
+
+/* Weights of the fragments that 0, 1, ... links lead to, after so many steps of equation 8 along one axis: a walk that goes
+   a link each way with probability `weight` in each. Returns how many links have to be followed. */
+static int oit_i_chain_weights(int steps, double weight, float out[16]) {
+    double w[17], next[17], sum = 0.0, tail = 0.0;
+    int i, k, reach = 15;
+    memset(w, 0, sizeof w);
+    w[0] = 1.0;
+    for (i = 0; i < steps; ++i) {
+        for (k = 0; k < 16; ++k)
+            next[k] = w[k] + weight * (w[k ? k - 1 : 1] - 2.0 * w[k] + w[k + 1]);
+        memcpy(w, next, 16 * sizeof w[0]);
+    }
+    while (reach > 1 && tail + 2.0 * w[reach] < 2e-3)
+        tail += 2.0 * w[reach--];
+    for (k = 0; k <= reach; ++k)
+        sum += (k ? 2.0 : 1.0) * w[k];
+    for (k = 0; k < 16; ++k)
+        out[k] = k <= reach ? (float)(w[k] / sum) : 0.0f;
+    return reach;
+}
+
+/* Iterations of base that the k-th of the pairs of passes stands for: as even as may be. */
+static int oit_i_chain_steps(int iterations, int pairs, int k) {
+    return iterations / pairs + (k < iterations % pairs);
+}
+
+static void oit_i_number_connect(const oit_context *oit, int step, oit_i_numbers *n) {
+    const oit_link *link = &oit->link;
+    int windowed = link->search == OIT_SEARCH_WINDOWED;
+    float infinite = (float)(1e300 * 1e300);
+    n->at[4][0] = windowed ? 0u : (oit_i_u)step;
+    n->at[4][1] = windowed ? 4u : (oit_i_u)step + 1u;
+    n->at[4][2] = (oit_i_u)link->criterion;
+    n->at[4][3] = (windowed ? 1u : 0u) | (link->count_pairs ? 2u : 0u) | (link->search == OIT_SEARCH_BUCKETS ? 4u : 0u);
+    n->set[0][0] = link->depth_weight;
+    n->set[0][1] = link->normal_weight;
+    n->set[0][2] = 1.0f / link->radius;
+    n->set[0][3] = link->limit < 0.0f || link->criterion == OIT_LINK_PUBLISHED ? infinite : link->limit;
+    n->set[1][0] = link->no_reverse_check ? 1.0f : 0.0f;
+}
+
+static void oit_i_number_solve(const oit_context *oit, const oit_i_stage *stage, int step, oit_i_numbers *n) {
+    const oit_smart *smart = &oit->smart;
+    const oit_spread *spread = stage->what == OIT_I_AT_BASE   ? &smart->base
+                               : stage->what == OIT_I_AT_BETA ? &smart->beta
+                                                              : &smart->gamma;
+    n->at[2][0] = oit->sections[stage->what];
+    n->at[2][1] = oit->sections[OIT_I_AT_SPARE];
+    n->at[4][0] = stage->what == OIT_I_AT_BASE && step < oit_i_greatest_steps(smart);
+    n->at[4][1] = step < spread->iterations;
+    n->at[4][2] = stage->what == OIT_I_AT_BETA ? 1u : stage->what == OIT_I_AT_GAMMA ? 2u : 0u;
+    n->set[0][0] = spread->lambda * (smart->published ? 0.25f : 0.125f);
+}
+
+static void oit_i_number_chain(const oit_context *oit, const oit_i_stage *stage, int step, oit_i_numbers *n) {
+    int steps = oit_i_chain_steps(oit->smart.base.iterations, stage->count / 2, step / 2);
+    float weights[16];
+    n->at[2][0] = oit->sections[OIT_I_AT_BASE];
+    n->at[2][1] = oit->sections[OIT_I_AT_SPARE];
+    n->at[4][0] = (oit_i_u)step & 1u;
+    n->at[4][1] = (oit_i_u)oit_i_chain_weights(steps, 0.125 * (double)oit->smart.base.lambda, weights);
+    memcpy(n->set, weights, sizeof weights);
+}
+
+/* Depths 0 and 1 where the host gives none: those of the window. An infinite far plane is taken as 16 times the near. */
+static void oit_i_depth_range(const oit_context *oit, double *first, double *last) {
+    double t[4], ends[2];
+    int i;
+    *first = (double)oit->curvature.first;
+    *last = (double)oit->curvature.last;
+    if (*first != 0.0 || *last != 0.0)
+        return;
+    oit_i_distance_terms(&oit->frame, oit->frame.zero_to_one, t);
+    for (i = 0; i < 2; ++i) {
+        double z = (i == 1) == !oit->desc.reversed_z ? 1.0 : 0.0, below = t[2] + t[3] * z;
+        ends[i] = below != 0.0 ? (t[0] + t[1] * z) / below : 0.0;
+    }
+    *first = ends[0];
+    *last = ends[1] > ends[0] && ends[1] < 1e30 ? ends[1] : 16.0 * ends[0];
+}
+
+static void oit_i_number_curve(const oit_context *oit, oit_i_numbers *n) {
+    double first, last;
+    oit_i_depth_range(oit, &first, &last);
+    n->at[4][0] = oit->curvature_base != 0;
+    n->set[0][0] = oit->curvature.unit > 0.0f ? 1.0f / oit->curvature.unit : 0.0f;
+    n->set[0][1] = (float)first;
+    n->set[0][2] = last != first ? (float)(1.0 / (last - first)) : 0.0f;
+}
+
+static void oit_i_number_compose(const oit_context *oit, oit_i_numbers *n) {
+    const oit_smart *smart = &oit->smart;
+    int is_smart = (oit->did & OIT_I_DID_SMART) != 0;
+    n->at[4][0] = ((oit->did & OIT_I_DID_BASE) ? 1u : 0u) | (is_smart ? 2u : 0u) |
+                  ((oit->did & OIT_I_DID_SHADE) ? 4u : 0u) | (is_smart && smart->published ? 8u : 0u);
+    n->at[4][1] = (oit_i_u)smart->beta.profile;
+    n->at[4][2] = (oit_i_u)smart->gamma.profile;
+    n->set[0][0] = smart->beta.p;
+    n->set[0][1] = smart->gamma.p;
+}
+
+/* What oit_value needs for beta and gamma. */
+static void oit_i_number_values(const oit_context *oit, oit_i_numbers *n) {
+    const oit_smart *smart = &oit->smart;
+    n->at[5][0] = (oit_i_u)smart->beta.iterations;
+    n->at[5][1] = (oit_i_u)smart->gamma.iterations;
+    n->set[7][0] = smart->beta.lambda;
+    n->set[7][1] = smart->gamma.lambda;
+    n->set[7][2] = smart->thin;
+    n->set[7][3] = (float)(OIT_I_JUMP_REACH * (oit_i_size_passes(smart) / 2 - 1));
+}
+
+static void oit_i_number_sections(const oit_context *oit, oit_i_numbers *n) {
+    static const unsigned char places[3][4] = {
+        {OIT_I_AT_ORDER, OIT_I_AT_LINKS, OIT_I_AT_LINKS_HIGH, OIT_I_AT_REACH},
+        {OIT_I_AT_BASE, OIT_I_AT_KAPPA, OIT_I_AT_BETA, OIT_I_AT_GAMMA},
+        {OIT_I_SECTIONS, OIT_I_SECTIONS, OIT_I_AT_SIZES, OIT_I_AT_GROUPED},
+    };
+    int i, k;
+    for (i = 0; i < 3; ++i)
+        for (k = 0; k < 4; ++k)
+            n->at[i][k] = places[i][k] < OIT_I_SECTIONS ? oit->sections[places[i][k]] : 0u;
+    for (i = 0; i < OIT_MAX_OPERATOR_FIELDS; ++i)
+        n->at[3][i] = oit->sections[OIT_I_AT_HOST + i];
+    if (oit->smart.beta.process != OIT_PROCESS_DIFFUSION) /* its distances say it */
+        n->at[1][2] = 0u;
+    if (oit->smart.gamma.process != OIT_PROCESS_DIFFUSION)
+        n->at[1][3] = 0u;
+    n->at[5][2] = oit->sections[OIT_I_AT_SIZES_HIGH];
+}
+
+static void oit_i_number_stage(const oit_context *oit, const oit_i_stage *stage, int step, oit_i_numbers *n) {
+    const oit_law *law = &oit->law;
+    switch (stage->program) {
+    case OIT_I_PROGRAM_CONNECT:
+        oit_i_number_connect(oit, step, n);
+        break;
+    case OIT_I_PROGRAM_LAW:
+        n->at[4][0] = (oit_i_u)stage->what;
+        n->set[0][0] = law->s;
+        n->set[0][1] = law->exponent;
+        n->set[0][2] = law->scale;
+        n->set[0][3] = law->reach;
+        break;
+    case OIT_I_PROGRAM_BOUND:
+        n->at[4][0] = oit->smart.published != 0;
+        break;
+    case OIT_I_PROGRAM_SIZE:
+        n->at[4][0] = (oit_i_u)step & 1u;
+        n->at[4][1] = step < 2;
+        break;
+    case OIT_I_PROGRAM_SOLVE:
+        oit_i_number_solve(oit, stage, step, n);
+        break;
+    case OIT_I_PROGRAM_JUMP:
+        n->at[2][0] = oit->sections[OIT_I_AT_REACH];
+        n->at[2][1] = oit->sections[OIT_I_AT_SPARE];
+        n->at[4][0] = (oit_i_u)step & 1u;
+        n->at[4][1] = (oit_i_u)step;
+        n->at[4][2] = oit->smart.until_stable != 0;
+        break;
+    case OIT_I_PROGRAM_CHAIN:
+        oit_i_number_chain(oit, stage, step, n);
+        break;
+    case OIT_I_PROGRAM_CURVE:
+        oit_i_number_curve(oit, n);
+        break;
+    case OIT_I_PROGRAM_HOST:
+        n->at[2][0] = stage->what ? oit->sections[oit->host_section] : 0u;
+        n->at[2][1] = stage->what ? oit->sections[OIT_I_AT_SPARE] : 0u;
+        n->at[4][0] = (oit_i_u)step;
+        break;
+    default:
+        break;
+    }
+}
+
+/* The numbers of the next pass into its program. No state of the context changes; names in the text have these locations. */
+static void oit_i_send_numbers(const oit_context *oit, oit_i_u program, const oit_i_numbers *n) {
+    oit->gl.gl_ProgramUniform4uiv(program, 0, 6, &n->at[0][0]);
+    oit->gl.gl_ProgramUniform4fv(program, 8, 8, &n->set[0][0]);
+}
+
+static void oit_i_begin_numbers(const oit_context *oit, oit_i_numbers *n) {
+    memset(n, 0, sizeof *n);
+    oit_i_number_sections(oit, n);
+    oit_i_number_values(oit, n);
+    oit_i_operator_view(oit, n->set);
+}
+
+/* The pass of the present stage: its program, groups, and the buffer of the surfaces in the place of the report. */
+static void oit_i_fill_operation(const oit_context *oit, oit_state *state) {
+    const oit_i_stage *stage = &oit->stages[oit->stage];
+    int along = stage->program == OIT_I_PROGRAM_JUMP || stage->program == OIT_I_PROGRAM_SIZE, k = oit->stage_step & 1;
+    int size[2], i;
+    oit_i_numbers numbers;
+    oit_i_begin_numbers(oit, &numbers);
+    oit_i_number_stage(oit, stage, oit->stage_step, &numbers);
+    state->program = stage->program == OIT_I_PROGRAM_HOST ? oit->host_program : oit->programs[stage->program];
+    state->storage_buffers[2] = oit->buffers[OIT_I_SURFACE];
+    size[0] = oit->frame.width;
+    size[1] = oit->frame.height;
+    if (along)
+        size[k] = (size[k] + OIT_I_JUMP_REACH - 1) / OIT_I_JUMP_REACH;
+    for (i = 0; i < 2; ++i)
+        state->groups[i] = (oit_i_u)((size[i] + 7) / 8);
+    state->groups[2] = 1;
+    oit_i_send_numbers(oit, state->program, &numbers);
+    if (stage->program == OIT_I_PROGRAM_CURVE)
+        oit->gl.gl_ProgramUniform4uiv(state->program, 16, OIT_I_OPACITY_WORDS / 4, oit->opacities);
+}
+
+/* Composition by what the operators have made. */
+static void oit_i_fill_laid(const oit_context *oit, oit_state *state) {
+    oit_i_numbers numbers;
+    oit_i_begin_numbers(oit, &numbers);
+    oit_i_number_compose(oit, &numbers);
+    state->storage_buffers[2] = oit->buffers[OIT_I_SURFACE];
+    oit_i_send_numbers(oit, state->program, &numbers);
+    oit->gl.gl_ProgramUniform4fv(state->program, 16, OIT_TRANSFER_SHADES, &oit->shades[0][0]);
+}
+
+static void oit_i_swap_sections(oit_context *oit, int a, int b) {
+    oit_i_u kept = oit->sections[a];
+    oit->sections[a] = oit->sections[b];
+    oit->sections[b] = kept;
+}
+
+/* After a pass: what has gone to the spare section is now the field. */
+static void oit_i_advance_operation(oit_context *oit) {
+    const oit_i_stage *stage = &oit->stages[oit->stage];
+    int step = oit->stage_step;
+    if (stage->program == OIT_I_PROGRAM_JUMP)
+        oit_i_swap_sections(oit, OIT_I_AT_REACH, OIT_I_AT_SPARE);
+    else if (stage->program == OIT_I_PROGRAM_CHAIN || (stage->program == OIT_I_PROGRAM_HOST && stage->what))
+        oit_i_swap_sections(oit, stage->program == OIT_I_PROGRAM_CHAIN ? OIT_I_AT_BASE : oit->host_section,
+                            OIT_I_AT_SPARE);
+    else if (stage->program == OIT_I_PROGRAM_SOLVE &&
+             (stage->what != OIT_I_AT_BASE || step < oit->smart.base.iterations))
+        oit_i_swap_sections(oit, stage->what, OIT_I_AT_SPARE);
+    if (++oit->stage_step < stage->count)
+        return;
+    oit->stage_step = 0;
+    if (++oit->stage == oit->stage_count)
+        oit->step = OIT_I_STEP_FILLED;
+}
+
+/* ---- transfer functions (Murray 2016, section 5.2) ---- */
+
+static float oit_i_shade_preset(oit_shade shade, float kappa) {
+    if (shade == OIT_SHADE_CONVEX)
+        return 1.0f - 0.5f * kappa;
+    return shade == OIT_SHADE_CURVED ? 0.5f + (kappa < 0.0f ? -kappa : kappa) : 1.0f;
+}
+
+static float oit_i_opacity_preset(oit_opacity opacity, float curvature, float depth) {
+    float through = 0.95f * (1.0f - curvature) * (1.0f - depth);
+    return opacity == OIT_OPACITY_FRONT ? 1.0f - through * (1.0f - depth) * (1.0f - depth) * (1.0f - depth)
+                                        : 1.0f - through;
+}
+
+static void oit_i_take_shades(oit_context *oit, const oit_curvature *curvature) {
+    int i, k;
+    for (i = 0; i < OIT_TRANSFER_SHADES; ++i)
+        for (k = 0; k < 3; ++k)
+            oit->shades[i][k] =
+                curvature->shades
+                    ? curvature->shades[3 * i + k]
+                    : oit_i_shade_preset(curvature->shade, -1.0f + 2.0f * (float)i / (OIT_TRANSFER_SHADES - 1));
+}
+
+static void oit_i_take_opacities(oit_context *oit, const oit_curvature *curvature) {
+    int i, k;
+    memset(oit->opacities, 0, sizeof oit->opacities);
+    for (i = 0; i < OIT_TRANSFER_DEPTHS; ++i)
+        for (k = 0; k < OIT_TRANSFER_CURVATURES; ++k) {
+            int at = i * OIT_TRANSFER_CURVATURES + k;
+            float x = curvature->opacities
+                          ? curvature->opacities[at]
+                          : oit_i_opacity_preset(curvature->opacity, (float)k / (OIT_TRANSFER_CURVATURES - 1),
+                                                 (float)i / (OIT_TRANSFER_DEPTHS - 1));
+            x = x < 0.0f ? 0.0f : x > 1.0f ? 1.0f : x;
+            oit->opacities[at / 2] |= (oit_i_u)(x * 65535.0f + 0.5f) << (16 * (at & 1));
+        }
+}
+
+/* ---- passes ---- */
 
 static void oit_i_fill_groups(const oit_context *oit, oit_pass_kind kind, oit_state *state) {
     oit_i_u blocks = oit->block.pool[3];
@@ -5070,7 +7314,10 @@ static void oit_i_fill_pass(const oit_context *oit, oit_pass_kind kind, oit_pass
     if (!oit_i_is_hosts(kind) && !compose && !depth && !lay) {
         if (kind == OIT_PASS_PICK)
             state->storage_buffers[2] = oit->buffers[OIT_I_PICKED + oit->pick];
-        oit_i_fill_groups(oit, kind, state);
+        if (kind == OIT_PASS_OPERATE)
+            oit_i_fill_operation(oit, state);
+        else
+            oit_i_fill_groups(oit, kind, state);
         return;
     }
     state->framebuffer = depth ? oit->frame.depth_framebuffer : fetch ? oit->fetch_framebuffer : oit->frame.framebuffer;
@@ -5091,6 +7338,8 @@ static void oit_i_fill_pass(const oit_context *oit, oit_pass_kind kind, oit_pass
     }
     if (compose)
         oit_i_fill_blend(oit, state);
+    if (compose && oit_i_lays(oit, oit->compose_index))
+        oit_i_fill_laid(oit, state);
     if (compose || depth || lay) {
         state->vertex_array = oit->vertex_array;
         state->vertex_count = 3;
@@ -5449,6 +7698,8 @@ static int oit_i_is_whole(const oit_context *oit) {
    is not fall to the next. What is deeper than was known falls to the last, so that a wrong guess costs only time. */
 static int oit_i_is_needed(const oit_context *oit, int draw) {
     int index = draw % (OIT_I_CLASSES + 1), deep = index == OIT_I_CLASSES - 1, wait = oit->desc.fit == OIT_FIT_WAIT;
+    if (index < OIT_I_CLASSES && oit_i_lays(oit, 0))
+        return index == 0;
     if (oit->desc.store == OIT_STORE_FETCH)
         return index == OIT_I_CLASSES;
     if (oit_i_keeps(&oit->desc) && deep)
@@ -5503,10 +7754,10 @@ static oit_result oit_i_after_part(oit_context *oit) {
 /* The pass of the present step. Returns 0 where there is none. */
 static int oit_i_kind_of_step(const oit_context *oit, oit_pass_kind *kind) {
     static const oit_pass_kind kinds[OIT_I_STEP_DONE] = {
-        OIT_PASS_CLEAR,   OIT_PASS_COUNT,  OIT_PASS_SUM,    OIT_PASS_TOPS,    OIT_PASS_SPREAD, OIT_PASS_REPORT,
-        OIT_PASS_PREDICT, OIT_PASS_SETTLE, OIT_PASS_GATHER, OIT_PASS_LAY,     OIT_PASS_LAY,    OIT_PASS_REPORT,
-        OIT_PASS_FILL,    OIT_PASS_FILL,   OIT_PASS_PICK,   OIT_PASS_COMPOSE, OIT_PASS_DEPTH,  OIT_PASS_DEPTH,
-        OIT_PASS_REPORT,  OIT_PASS_KEEP,   OIT_PASS_ARRANGE};
+        OIT_PASS_CLEAR,   OIT_PASS_COUNT,  OIT_PASS_SUM,     OIT_PASS_TOPS,    OIT_PASS_SPREAD, OIT_PASS_REPORT,
+        OIT_PASS_PREDICT, OIT_PASS_SETTLE, OIT_PASS_GATHER,  OIT_PASS_LAY,     OIT_PASS_LAY,    OIT_PASS_REPORT,
+        OIT_PASS_FILL,    OIT_PASS_FILL,   OIT_PASS_PICK,    OIT_PASS_COMPOSE, OIT_PASS_DEPTH,  OIT_PASS_DEPTH,
+        OIT_PASS_REPORT,  OIT_PASS_KEEP,   OIT_PASS_ARRANGE, OIT_PASS_OPERATE};
     if (oit->step == OIT_I_STEP_FILLED || oit->step == OIT_I_STEP_DONE)
         return 0;
     *kind = kinds[(int)oit->step];
@@ -5541,6 +7792,8 @@ static void oit_i_advance(oit_context *oit) {
         oit->step = OIT_I_STEP_COMPOSED;
     } else if (oit->step == OIT_I_STEP_REPORT) {
         oit->step = OIT_I_STEP_DONE;
+    } else if (oit->step == OIT_I_STEP_OPERATE) {
+        oit_i_advance_operation(oit);
     } else {
         if ((oit->step == OIT_I_STEP_SETTLE || oit->step == OIT_I_STEP_GATHER) && oit_i_is_whole(oit)) {
             oit->settled_width = oit->frame.width;
@@ -5591,6 +7844,111 @@ OIT_I_API int oit_next_pass(oit_context *oit, oit_pass *pass) {
             oit_i_fetch_more(oit);
     }
     return 0;
+}
+
+/* ---- oit_run ---- */
+
+static void oit_i_take_operator(oit_context *oit, const oit_operator *op) {
+    if (op->kind == OIT_RUN_LINK)
+        oit->link = oit_i_resolve_link(op->link);
+    if (op->kind == OIT_RUN_LAW)
+        oit->law = oit_i_resolve_law(op->law);
+    if (op->kind == OIT_RUN_SMART)
+        oit->smart = oit_i_resolve_smart(op->smart);
+    if (op->kind == OIT_RUN_CURVATURE) {
+        oit->curvature = op->curvature;
+        oit->curvature_base = op->curvature.opacities || op->curvature.opacity != OIT_OPACITY_NONE;
+        oit_i_take_shades(oit, &op->curvature);
+        oit_i_take_opacities(oit, &op->curvature);
+    }
+    if (op->kind == OIT_RUN_HOST) {
+        oit->host_program = op->host.program;
+        oit->host_section = op->host.value == (int)OIT_VALUE_BASE ? (int)OIT_I_AT_BASE
+                                                                  : OIT_I_AT_HOST + op->host.value - OIT_VALUE_HOST;
+    }
+}
+
+static oit_i_u oit_i_deeds(const oit_context *oit, const oit_operator *op) {
+    static const oit_i_u deeds[5] = {OIT_I_DID_LINK, OIT_I_DID_BASE, OIT_I_DID_SMART | OIT_I_DID_BASE, OIT_I_DID_CURVE,
+                                     0};
+    oit_i_u did = OIT_I_DID_SORT | deeds[op->kind];
+    if ((op->kind == OIT_RUN_CURVATURE && oit->curvature_base) ||
+        (op->kind == OIT_RUN_HOST && oit_i_host_makes_base(oit, op)))
+        did |= OIT_I_DID_BASE;
+    if (op->kind == OIT_RUN_CURVATURE && (op->curvature.shades || op->curvature.shade != OIT_SHADE_NONE))
+        did |= OIT_I_DID_SHADE;
+    return did;
+}
+
+/* Programs of the stages, and of the composition that follows. */
+static oit_result oit_i_make_operator_programs(oit_context *oit) {
+    oit_result result = oit_i_make_program(oit, OIT_I_PROGRAM_LAID);
+    int i;
+    if (result == OIT_OK && oit_i_pixel_draws(oit) > OIT_I_CLASSES + 1)
+        result = oit_i_make_program(oit, OIT_I_PROGRAM_LAID_LIGHT);
+    for (i = 0; i < oit->stage_count && result == OIT_OK; ++i)
+        if (oit->stages[i].program != OIT_I_PROGRAM_HOST)
+            result = oit_i_make_program(oit, oit->stages[i].program);
+    return result;
+}
+
+static oit_result oit_i_check_run(oit_context *oit, const oit_operator *op) {
+    const char *bad = oit_i_bad_operator(oit, op);
+    if (bad)
+        return oit_i_fail(&oit->desc, OIT_INVALID_ARGUMENT, "oit_run", bad);
+    bad = oit_i_missing_run(oit, op);
+    if (bad)
+        return oit_i_fail(&oit->desc, OIT_WRONG_ORDER, "oit_run", bad);
+    if (oit->bands > 1 || oit->rows < oit->frame.height)
+        return oit_i_fail(&oit->desc, OIT_TOO_LARGE, "oit_run",
+                          "the image is drawn in bands, and operators need all of it at once: raise ceiling_bytes");
+    return OIT_OK;
+}
+
+/* For the frame's pool, which may have grown since oit_begin. Sections that something is in stay where they are. */
+static oit_result oit_i_prepare_surfaces(oit_context *oit) {
+    int32_t bound;
+    oit_result result;
+    if (oit->did || oit->desc.state == OIT_STATE_NONE) /* there they were made with the frame */
+        return OIT_OK;
+    bound = oit_i_borrow_target(oit);
+    result = oit_i_make_surfaces(oit, "oit_run");
+    oit_i_return_target(oit, bound);
+    return result;
+}
+
+OIT_I_API oit_result oit_run(oit_context *oit, const oit_operator *op) {
+    oit_result result;
+    oit_pass pass;
+    if (!oit || !op)
+        return OIT_INVALID_ARGUMENT;
+    if (oit->in_frame && oit->failure == OIT_OK && oit->step == OIT_I_STEP_DONE &&
+        oit->frame.width * oit->frame.height == 0)
+        return OIT_OK;
+    if (!oit->in_frame || oit->failure != OIT_OK || oit->step != OIT_I_STEP_FILLED)
+        return oit_i_fail(&oit->desc, OIT_WRONG_ORDER, "oit_run", "between oit_next_pass's 0 and oit_compose");
+    result = oit_i_operates(&oit->desc) ? oit_i_prepare_surfaces(oit) : OIT_OK;
+    if (result == OIT_OK)
+        result = oit_i_check_run(oit, op);
+    if (result != OIT_OK)
+        return result;
+    oit_i_take_operator(oit, op);
+    oit_i_plan(oit, op);
+    result = oit_i_make_operator_programs(oit);
+    if (result != OIT_OK)
+        return result;
+    oit->did |= oit_i_deeds(oit, op);
+    oit->step = OIT_I_STEP_OPERATE;
+    if (oit->desc.state != OIT_STATE_NONE)
+        oit_next_pass(oit, &pass);
+    return oit->failure;
+}
+
+OIT_I_API const char *const *oit_operator_glsl(const oit_context *oit, int *count) {
+    if (!oit || !count || !oit_i_operates(&oit->desc))
+        return 0;
+    *count = oit->operator_string_count;
+    return oit->operator_strings;
 }
 
 OIT_I_API oit_result oit_compose(oit_context *oit) {

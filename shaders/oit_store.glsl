@@ -13,6 +13,7 @@ layout(std430, binding = OIT_BINDING_FRAGMENTS) writeonly buffer oit_fragments {
 #define OIT_BLEND_OVER 0u
 #define OIT_BLEND_ADD 1u
 #define OIT_BLEND_MULTIPLY 2u
+#define OIT_BLEND_LINE 3u
 
 struct oit_fragment
 {
@@ -48,6 +49,17 @@ vec4 oit_finite(vec4 color)
     vec3 c = vec3(oit_finite(color.r), oit_finite(color.g), oit_finite(color.b));
     return vec4(c, clamp(oit_finite(color.a), 0.0, 1.0));
 }
+
+#if OIT_HAS_SLOPE && OIT_PASS == OIT_FILL
+// What the window depth gains a pixel to the right and a pixel up, for operators; taken where control flow is uniform, as
+// below.
+#if OIT_ES
+#define OIT_DEPTH_SLOPE vec2(dFdx(gl_FragCoord.z), dFdy(gl_FragCoord.z))
+#else
+vec2 oit_depth_slope = vec2(dFdx(gl_FragCoord.z), dFdy(gl_FragCoord.z));
+#define OIT_DEPTH_SLOPE oit_depth_slope
+#endif
+#endif
 
 #if OIT_HAS_COVERAGE
 // The samples that the fragment covers and that lie before the host's opaque things. Where the driver knows coverage only
@@ -206,6 +218,9 @@ void oit_pack(oit_fragment f, out uint w[OIT_VECTORS * OIT_LANES])
 #endif
 #if OIT_HAS_COVERAGE
     w[OIT_AT_COVERAGE] |= oit_coverage() << uint(OIT_COVERAGE_SHIFT);
+#endif
+#if OIT_HAS_SLOPE // halves reach from 2^-24 to 65504: scaled, from 1.5e-11 to 16 a pixel
+    w[OIT_AT_SLOPE] = packHalf2x16(clamp(OIT_DEPTH_SLOPE * 4096.0, -65504.0, 65504.0));
 #endif
 #if OIT_HOST_WORDS > 0
     for (int i = 0; i < OIT_HOST_WORDS; ++i)

@@ -217,6 +217,8 @@ FAKE(B, IsEnabledi, (U a, U b), (void)a; (void)b; return 0;)
 FAKE(B, IsProgram, (U a), return a != 0;)
 FAKE(void, LinkProgram, (U a), (void)a;)
 FAKE(void, PolygonMode, (U a, U b), (void)a; (void)b;)
+FAKE(void, ProgramUniform4fv, (U a, I b, I c, const float *d), (void)b; (void)c; (void)d; assert_true(a != 0);)
+FAKE(void, ProgramUniform4uiv, (U a, I b, I c, const U *d), (void)b; (void)c; (void)d; assert_true(a != 0);)
 FAKE(void, Scissor, (I a, I b, I c, I d), (void)a; (void)b; (void)c; (void)d;)
 FAKE(void, ScissorIndexed, (U a, I b, I c, I d, I e), (void)a; (void)b; (void)c; (void)d; (void)e;)
 FAKE(void, Uniform4fv, (I a, I b, const float *c), (void)a; (void)b; (void)c;)
@@ -1203,6 +1205,334 @@ static void test_sizes(void **state) {
     }
 }
 
+/* ---- operators ---- */
+
+static oit_frame frame_with_projection(void) {
+    oit_frame f = frame;
+    f.projection[0] = f.projection[5] = 2.0f;
+    f.projection[10] = -1.2f;
+    f.projection[11] = -1.0f;
+    f.projection[14] = -2.2f;
+    return f;
+}
+
+/* A host's operator, which uses what ours use. */
+static U host_operator(const oit_context *oit) {
+    int count = 0;
+    const char *const *strings = oit_operator_glsl(oit, &count);
+    assert_non_null(strings);
+    U shader = fake_CreateShader(0x91B9u), program = fake_CreateProgram();
+    fake_ShaderSource(shader, count, strings, NULL);
+    fake_AttachShader(program, shader);
+    fake_DeleteShader(shader);
+    return program;
+}
+
+/* Each kind, with what makes its passes differ. Jumps, published and diffusion are seen by run & 3. */
+static oit_operator operators_of(int kind, int run, U program) {
+    oit_operator op = {.kind = (oit_run_kind)kind};
+    op.link.search = (oit_search)(run % 3);
+    op.link.criterion = run == 3 ? OIT_LINK_PUBLISHED : OIT_LINK_DEPTH;
+    op.law.kind = (oit_law_kind)(run % 5);
+    op.smart.jumps = run & 1;
+    op.smart.until_stable = run & 1;
+    op.smart.thin = run & 2 ? 0.5f : 0.0f;
+    op.smart.published = run == 2;
+    op.smart.beta.process = run == 3 ? OIT_PROCESS_DIFFUSION : OIT_PROCESS_DEFAULT;
+    op.curvature.shade = run & 1 ? OIT_SHADE_CONVEX : OIT_SHADE_NONE;
+    op.curvature.opacity = run & 2 ? OIT_OPACITY_FRONT : OIT_OPACITY_NONE;
+    op.host.program = program;
+    op.host.iterations = run;
+    op.host.value = run & 1 ? OIT_VALUE_HOST : OIT_VALUE_BASE;
+    return op;
+}
+
+/* A frame with an operator of each of the kinds whose bits are set. counts: passes of each kind. */
+static oit_result operate_frame(oit_context *oit, unsigned kinds, int run, U program, int counts[OIT_PASS_KIND_COUNT]) {
+    oit_frame f = frame_with_projection();
+    int ignored = 0;
+    oit_result result = oit_begin(oit, &f), end;
+    if (result != OIT_OK)
+        return result;
+    draw_passes(oit, &ignored);
+    for (int kind = 0; kind < 5 && result == OIT_OK; ++kind) {
+        oit_operator op = operators_of(kind, run, program);
+        int first = driver.call_count;
+        if (!(kinds >> kind & 1u))
+            continue;
+        result = oit_run(oit, &op);
+        if (result == OIT_OK && oit->desc.state == OIT_STATE_NONE)
+            draw_passes(oit, &ignored);
+        if (counts)
+            counts[OIT_PASS_OPERATE] += called_since(first, "DispatchCompute");
+    }
+    end = oit_compose(oit);
+    if (oit->desc.state == OIT_STATE_NONE)
+        draw_passes(oit, &ignored);
+    result = result != OIT_OK ? result : end;
+    end = oit_end(oit);
+    return result != OIT_OK ? result : end;
+}
+
+static const oit_desc operator_descs[] = {
+    {.fit = OIT_FIT_WAIT, .operators = OIT_OPERATE_ALL, .operator_fields = 2},
+    {.fit = OIT_FIT_ASYNC, .operators = OIT_OPERATE_ALL, .operator_fields = 4, .fields = OIT_FIELD_BLEND},
+    {.fit = OIT_FIT_ASYNC, .state = OIT_STATE_NONE, .operators = OIT_OPERATE_ALL, .operator_fields = 1},
+    {.fit = OIT_FIT_WAIT, .store = OIT_STORE_BUDGET, .layers = 5, .operators = OIT_OPERATE_ALL, .operator_fields = 1},
+    {.fit = OIT_FIT_WAIT, .store = OIT_STORE_BUCKETED, .layers = 5, .operators = OIT_OPERATE_ALL, .operator_fields = 1},
+};
+enum { OPERATOR_DESCS = sizeof operator_descs / sizeof operator_descs[0] };
+
+/* tear_down fails where a barrier was missing. Deep pixels make the links wide. */
+static void test_barriers_of_operators(void **state) {
+    (void)state;
+    for (int i = 0; i < 2 * OPERATOR_DESCS; ++i) {
+        driver.version = i & 1 ? "OpenGL ES 3.1 Mock" : "4.3.0 Mock";
+        oit_context *oit = make(operator_descs[i / 2]);
+        U program = host_operator(oit);
+        for (int run = 0; run < 4; ++run) {
+            set_totals(64 * 48 * 2, run < 2 ? 200 : 300);
+            assert_int_equal(operate_frame(oit, 31, run, program, NULL), OIT_OK);
+            driver.finished = driver.now;
+            assert_int_equal(driver.copy_target, 78);
+        }
+        if (operator_descs[i / 2].store == OIT_STORE_EXACT)
+            assert_true(oit->wide);
+        fake_DeleteProgram(program);
+        oit_destroy(oit);
+        assert_int_equal(driver.violations, 0);
+        driver.call_count = 0;
+    }
+}
+
+static int programs_made(const oit_context *oit) {
+    int made = 0;
+    for (int i = OIT_I_PROGRAM_SORT; i < OIT_I_PROGRAMS; ++i)
+        made += oit->programs[i] != 0;
+    return made;
+}
+
+/* What is not asked for is not stored, made or run. Bytes are counted by hand from the comments of OIT_OPERATE_*. */
+static void test_bytes_and_passes_of_operators(void **state) {
+    static const struct {
+        uint32_t operators;
+        int fields;
+        unsigned kinds; /* that are run */
+        int record, words, programs, passes;
+    } cases[] = {
+        {0, 0, 0, 16, 0, 0, 0},
+        {OIT_OPERATE_LAW, 0, 0, 16, 0, 0, 0},           /* chosen and not run: not made */
+        {OIT_OPERATE_LAW, 0, 2, 16, 2, 3, 2},           /* order, base; sort, law */
+        {0, 3, 16, 16, 4, 2, 2},                        /* order and fields; sort, the host's */
+        {OIT_OPERATE_LINKS, 0, 1, 24, 2, 4, 3},         /* order, links; sort, connect, mutual */
+        {OIT_OPERATE_CURVATURE, 0, 5 | 8, 24, 4, 0, 0}, /* SMART is not chosen */
+        {OIT_OPERATE_CURVATURE, 0, 1 | 8, 24, 4, 5, 4},
+        {OIT_OPERATE_SMART, 0, 1 | 4, 24, 5, 7, 3 + 2 + 20}, /* + given, bound, 20 iterations */
+        {OIT_OPERATE_SMART, 0, 1 | 2 | 4, 24, 5, 7, 3 + 2 + 20},
+        {OIT_OPERATE_SMART | OIT_OPERATE_CURVATURE, 1, 1 | 2 | 4 | 8 | 16, 24, 7, 8, 3 + 2 + 20 + 2},
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
+        oit_desc desc = {.operators = cases[i].operators, .operator_fields = cases[i].fields};
+        oit_context *oit = make(desc);
+        U program = oit_operator_glsl(oit, &(int){0}) ? host_operator(oit) : 0;
+        int counts[OIT_PASS_KIND_COUNT] = {0};
+        set_totals(6000, 7);
+        bool refused = cases[i].passes == 0 && cases[i].kinds != 0;
+        assert_int_equal(operate_frame(oit, cases[i].kinds, 0, program, counts),
+                         refused ? OIT_INVALID_ARGUMENT : OIT_OK);
+        assert_int_equal(oit_get_info(oit).fragment_bytes, cases[i].record);
+        if (!refused) {
+            int64_t bytes = cases[i].words ? 4 * (16 + (int64_t)cases[i].words * oit->capacity) : 0;
+            assert_int_equal(oit->sizes[OIT_I_SURFACE], bytes);
+            assert_int_equal(programs_made(oit), cases[i].programs);
+            assert_int_equal(counts[OIT_PASS_OPERATE], cases[i].passes);
+        }
+        fake_DeleteProgram(program);
+        oit_destroy(oit);
+        driver.call_count = 0;
+    }
+}
+
+/* Nothing is created or waited for once it has been run, and under OIT_STATE_NONE no state is touched. */
+static void test_steady_operators(void **state) {
+    static const char *const never[] = {"GenBuffers", "BufferData", "CreateShader", "CreateProgram", "BufferSubData"};
+    static const char *const raw[] = {"MemoryBarrier", "ProgramUniform4fv", "ProgramUniform4uiv", "FenceSync"};
+    (void)state;
+    for (int i = 0; i < 3; ++i) {
+        oit_context *oit = make(operator_descs[i]);
+        U program = host_operator(oit);
+        int kept = 0;
+        set_totals(6000, 30);
+        for (int run = 0; run < 8; ++run) {
+            int first = driver.call_count;
+            assert_int_equal(operate_frame(oit, 31, 1, program, NULL), OIT_OK);
+            driver.finished = driver.now;
+            for (size_t k = 0; k < sizeof never / sizeof never[0] && run > 4; ++k)
+                if (called_since(first, never[k]) && !(i == 0 && k == 4))
+                    fail_msg("%s in a steady frame", never[k]);
+            if (run == 4)
+                kept = allocations;
+        }
+        assert_int_equal(allocations, kept);
+        if (operator_descs[i].state == OIT_STATE_NONE) {
+            oit_frame f = frame_with_projection();
+            oit_pass pass;
+            assert_int_equal(oit_begin(oit, &f), OIT_OK);
+            draw_passes(oit, &(int){0});
+            int first = driver.call_count, passes = 0;
+            for (int kind = 0; kind < 5; ++kind) {
+                oit_operator op = operators_of(kind, 1, program);
+                assert_int_equal(oit_run(oit, &op), OIT_OK);
+                while (oit_next_pass(oit, &pass)) {
+                    assert_int_equal(pass.kind, OIT_PASS_OPERATE);
+                    assert_true(pass.state.program && pass.state.groups[0] && pass.barriers == 0x2000u);
+                    ++passes;
+                }
+            }
+            assert_true(passes > 10);
+            for (; first < driver.call_count; ++first) {
+                bool known = false;
+                for (size_t k = 0; k < sizeof raw / sizeof raw[0]; ++k)
+                    known = known || strcmp(driver.calls[first], raw[k]) == 0;
+                if (!known)
+                    fail_msg("%s under OIT_STATE_NONE", driver.calls[first]);
+            }
+            assert_int_equal(oit_compose(oit), OIT_OK);
+            draw_passes(oit, &passes);
+            assert_int_equal(oit_end(oit), OIT_OK);
+        }
+        fake_DeleteProgram(program);
+        oit_destroy(oit);
+        driver.call_count = 0;
+    }
+}
+
+static void expect_refusal(oit_context *oit, oit_operator op, oit_result expected, const char *text) {
+    driver.text[0] = 0;
+    assert_int_equal(oit_run(oit, &op), expected);
+    if (!strstr(driver.text, text))
+        fail_msg("\"%s\" is not in \"%s\"", text, driver.text);
+}
+
+/* What is refused, with the reason; the frame goes on. */
+static void test_operators_refused(void **state) {
+    oit_frame f = frame_with_projection();
+    oit_desc desc = {.operators = OIT_OPERATE_SMART | OIT_OPERATE_CURVATURE};
+    oit_operator op = {.kind = OIT_RUN_LINK};
+    const float bad_number = (float)(1e300 * 1e300);
+    (void)state;
+    set_totals(6000, 30);
+    oit_context *oit = make(desc);
+    expect_refusal(oit, op, OIT_WRONG_ORDER, "between oit_next_pass's 0 and oit_compose");
+    assert_int_equal(oit_run(NULL, &op), OIT_INVALID_ARGUMENT);
+    assert_int_equal(oit_begin(oit, &frame), OIT_OK);
+    expect_refusal(oit, op, OIT_WRONG_ORDER, "between oit_next_pass's 0 and oit_compose");
+    draw_passes(oit, &(int){0});
+    expect_refusal(oit, op, OIT_INVALID_ARGUMENT, "frame.projection is missing");
+    assert_int_equal(oit_compose(oit), OIT_OK);
+    expect_refusal(oit, op, OIT_WRONG_ORDER, "between");
+    assert_int_equal(oit_end(oit), OIT_OK);
+
+    assert_int_equal(oit_begin(oit, &f), OIT_OK);
+    draw_passes(oit, &(int){0});
+    expect_refusal(oit, (oit_operator){.kind = OIT_RUN_SMART}, OIT_WRONG_ORDER, "OIT_RUN_LINK comes before");
+    expect_refusal(oit, (oit_operator){.kind = OIT_RUN_CURVATURE}, OIT_WRONG_ORDER, "OIT_RUN_LINK comes before");
+    expect_refusal(oit, (oit_operator){.kind = OIT_RUN_LAW, .law = {.kind = OIT_LAW_VARIATION}}, OIT_WRONG_ORDER,
+                   "OIT_RUN_LINK comes before");
+    expect_refusal(oit, (oit_operator){.kind = OIT_RUN_LAW, .law = {.kind = OIT_LAW_DISTANCE}}, OIT_WRONG_ORDER,
+                   "OIT_RUN_SMART");
+    expect_refusal(oit, (oit_operator){.kind = (oit_run_kind)5}, OIT_INVALID_ARGUMENT, "kind is none");
+    expect_refusal(oit, (oit_operator){.kind = OIT_RUN_HOST}, OIT_INVALID_ARGUMENT, "host.program");
+    expect_refusal(oit, (oit_operator){.kind = OIT_RUN_HOST, .host = {.program = 5, .iterations = 1, .value = 4}},
+                   OIT_INVALID_ARGUMENT, "operator_fields");
+    expect_refusal(oit, (oit_operator){.link = {.criterion = OIT_LINK_UV}}, OIT_INVALID_ARGUMENT, "OIT_FIELD_UV");
+    expect_refusal(oit, (oit_operator){.link = {.search = OIT_SEARCH_BUCKETS}}, OIT_INVALID_ARGUMENT, "BUCKETS");
+    expect_refusal(oit, (oit_operator){.link = {.radius = -1}}, OIT_INVALID_ARGUMENT, "negative");
+    expect_refusal(oit, (oit_operator){.link = {.limit = bad_number}}, OIT_INVALID_ARGUMENT, "not finite");
+    expect_refusal(oit, (oit_operator){.kind = OIT_RUN_LAW, .law = {.s = 1.5f}}, OIT_INVALID_ARGUMENT, "above 1");
+    expect_refusal(oit, (oit_operator){.kind = OIT_RUN_CURVATURE, .curvature = {.unit = -1}}, OIT_INVALID_ARGUMENT,
+                   "negative");
+    op.kind = OIT_RUN_SMART;
+    op.smart.beta.process = OIT_PROCESS_DIFFUSION;
+    expect_refusal(oit, op, OIT_INVALID_ARGUMENT, "OIT_OPERATE_DIFFUSION");
+    op.smart.beta.process = OIT_PROCESS_DEFAULT;
+    op.smart.base.process = OIT_PROCESS_GREATEST;
+    expect_refusal(oit, op, OIT_INVALID_ARGUMENT, "diffusion alone");
+    op.smart.base.process = OIT_PROCESS_DEFAULT;
+    op.smart.gamma.iterations = 65534;
+    expect_refusal(oit, op, OIT_INVALID_ARGUMENT, "65533");
+    op.smart.gamma.iterations = 0;
+    op.smart.thin = 0.5f;
+    expect_refusal(oit, op, OIT_INVALID_ARGUMENT, "OIT_OPERATE_THIN");
+    assert_int_equal(oit_compose(oit), OIT_OK);
+    assert_int_equal(oit_end(oit), OIT_OK);
+    oit_destroy(oit);
+
+    /* Bands: neighbours would be in others. */
+    desc.ceiling_bytes = 64 * 24 * 9;
+    oit = make(desc);
+    set_totals(64 * 48 * 2, 2);
+    assert_int_equal(oit_begin(oit, &f), OIT_OK);
+    draw_passes(oit, &(int){0});
+    expect_refusal(oit, (oit_operator){.kind = OIT_RUN_LINK}, OIT_TOO_LARGE, "in bands");
+    assert_int_equal(oit_compose(oit), OIT_OK);
+    assert_int_equal(oit_end(oit), OIT_OK);
+    oit_destroy(oit);
+}
+
+static void test_operators_refused_at_creation(void **state) {
+    static const struct {
+        oit_desc desc;
+        const char *text;
+    } cases[] = {
+        {{.operators = 256}, "operators has bits"},
+        {{.operator_fields = 5}, "operator_fields"},
+        {{.operators = 1, .store = OIT_STORE_FETCH}, ""},
+        {{.operators = 1, .fields = OIT_FIELD_COVERAGE}, "OIT_FIELD_COVERAGE"},
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
+        oit_desc desc = cases[i].desc;
+        oit_result result;
+        desc.get_proc = get_proc;
+        desc.log_fn = on_log;
+        driver.text[0] = 0;
+        assert_null(oit_create(&desc, &result));
+        assert_int_equal(result, OIT_INVALID_ARGUMENT);
+        assert_non_null(strstr(driver.text, cases[i].text));
+    }
+}
+
+/* Every creation refused in turn: an error and a frame all the same, nothing left, and the next frame works. */
+static void test_operators_with_creations_refused(void **state) {
+    (void)state;
+    for (int i = 0; i < 3; ++i) {
+        long total = 1;
+        for (long refused = 1; refused <= total; ++refused) {
+            set_up(state);
+            oit_context *oit = make(operator_descs[i]);
+            U program = host_operator(oit);
+            set_totals(6000, 10);
+            driver.creations = 0;
+            driver.refuse_creation = refused;
+            oit_result result = operate_frame(oit, 31, 3, program, NULL);
+            if (result != OIT_OK)
+                assert_true(strlen(driver.text) > 0);
+            assert_int_equal(driver.copy_target, 78);
+            driver.finished = driver.now;
+            assert_int_equal(operate_frame(oit, 31, 3, program, NULL), OIT_OK);
+            if (driver.creations > total)
+                total = driver.creations;
+            fake_DeleteProgram(program);
+            oit_destroy(oit);
+            assert_int_equal(tear_down(state), 0);
+            memset(driver.buffers, 0, sizeof driver.buffers);
+        }
+        assert_true(total > 30);
+    }
+}
+
 #define DRIVER_TEST(name) cmocka_unit_test_setup_teardown(name, set_up, tear_down)
 
 int main(void) {
@@ -1227,6 +1557,12 @@ int main(void) {
         DRIVER_TEST(test_pixel_deeper_than_the_ceiling),
         DRIVER_TEST(test_wrong_order_and_bad_frames),
         DRIVER_TEST(test_sizes),
+        DRIVER_TEST(test_barriers_of_operators),
+        DRIVER_TEST(test_bytes_and_passes_of_operators),
+        DRIVER_TEST(test_steady_operators),
+        DRIVER_TEST(test_operators_refused),
+        DRIVER_TEST(test_operators_refused_at_creation),
+        DRIVER_TEST(test_operators_with_creations_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

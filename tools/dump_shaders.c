@@ -124,7 +124,7 @@ static bool dump_oit(const char *folder, int choice, oit_desc desc, bool es) {
     oit_i_write_preamble(&desc, es, preamble, sizeof preamble);
     if (desc.store == OIT_STORE_FETCH) /* which oit_create finds out */
         strcat(preamble, "#define OIT_FETCHED 7\n");
-    for (int program = 0; program < OIT_I_PROGRAMS; ++program)
+    for (int program = 0; program < (desc.operators ? OIT_I_PROGRAMS : OIT_I_PROGRAM_SORT); ++program)
         for (int stage = 0; stage < (oit_i_is_compute(program) ? 1 : 2); ++stage) {
             if (!oit_i_has_program(&desc, program))
                 continue;
@@ -162,6 +162,14 @@ static bool dump_all_oit(const char *folder) {
         {.store = OIT_STORE_BUCKETED, .fields = OIT_FIELD_ALL, .bucket_depth_bits = 16, .reversed_z = 1},
         {.fields = OIT_FIELD_COVERAGE | OIT_FIELD_BLEND, .sample_order = 1, .alpha_law = OIT_ALPHA_ADAPTIVE},
         {.fit = OIT_FIT_ASYNC, .color = OIT_COLOR_FLOAT, .premultiplied = 1, .alpha_law = OIT_ALPHA_ADAPTIVE},
+        {.operators = OIT_OPERATE_ALL, .fields = OIT_FIELD_PART | OIT_FIELD_NORMAL},
+        {.operators = OIT_OPERATE_ALL,
+         .fields = OIT_FIELD_PART | OIT_FIELD_NORMAL | OIT_FIELD_UV | OIT_FIELD_BLEND,
+         .fit = OIT_FIT_ASYNC,
+         .store = OIT_STORE_BUDGET,
+         .color = OIT_COLOR_HALF,
+         .reversed_z = 1,
+         .premultiplied = 1},
     };
     bool ok = true;
     for (int i = 0; ok && i < (int)(sizeof descs / sizeof descs[0]); ++i)
