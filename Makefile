@@ -33,7 +33,7 @@ $(error config=$(config) is not one of release, debug, asan)
 endif
 
 headers := silhouette.h transparency.h oit_buffers.h shaders_embedded.h
-example_modules := $(filter-out illustrate minimal_%,$(basename $(notdir $(sort $(wildcard examples/*.c)))))
+example_modules := $(filter-out illustrate rts minimal_%,$(basename $(notdir $(sort $(wildcard examples/*.c)))))
 unit_tests := $(patsubst tests/%.c,$(out)/tests/%,$(sort $(wildcard tests/unit_*.c)))
 mock_tests := $(patsubst tests/%.c,$(out)/tests/%,$(sort $(wildcard tests/mock_*.c)))
 gl_tests := $(patsubst tests/%.c,$(out)/tests/%,$(sort $(wildcard tests/gl_*.c)))
@@ -48,7 +48,7 @@ build = @+$(MAKE) --no-print-directory $(if $(filter -j% --jobserver%,$(MAKEFLAG
 
 .PHONY: help demo test deps shaders check-generated check-shaders headers-alone sanitize valgrind fuzz format \
         check-format tsan bench bench-silhouette bench-distance bench-view-dependent bench-oit bench-lines bench-flicker \
-        accuracy web ci install uninstall clean run-tests
+        bench-dynamic accuracy web ci install uninstall clean run-tests
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -56,8 +56,8 @@ help: ## list these targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## /{printf "make %-16s %s\n", $$1, $$2}' Makefile
 
 demo: deps ## render at least six pictures into build/gallery
-	$(build) build/illustrate
-	@tools/gallery build/illustrate build/gallery
+	$(build) build/illustrate build/rts
+	@tools/gallery build/illustrate build/rts build/gallery
 
 test: deps ## build and run all tests
 	$(build) run-tests
@@ -112,7 +112,13 @@ bench-silhouette: build/bench/silhouette build/bench/gauss_map ## silhouettes ag
 	@/usr/bin/python3 bench/vtk_feature_lines.py build/bench/meshes build/bench/silhouette.csv
 	@if command -v gnuplot >/dev/null; then gnuplot -c bench/silhouette.gp build/bench/silhouette.csv build/bench/silhouette.png; fi
 
-bench-distance bench-view-dependent bench-oit bench-lines bench-flicker: bench-%: ## one benchmark: bench-NAME runs bench/NAME.c
+bench-oit: build/bench/oit ## fragment stores against blending, peeling, weighted blending, and VTK where it and xvfb-run are
+	@mkdir -p build/bench/scenes
+	@BENCH=$(BENCH) BENCH_SCENES=build/bench/scenes build/bench/oit
+	@if command -v xvfb-run >/dev/null; then xvfb-run -a -s "-screen 0 1280x1024x24" \
+	    env LIBGL_ALWAYS_SOFTWARE=1 /usr/bin/python3 bench/vtk_transparency.py build/bench/scenes build/bench/oit.csv; fi
+
+bench-distance bench-view-dependent bench-lines bench-flicker bench-dynamic: bench-%: ## one benchmark: bench-NAME runs bench/NAME.c
 	@$(MAKE) --no-print-directory build/bench/$(subst -,_,$*)
 	@BENCH=$(BENCH) build/bench/$(subst -,_,$*)
 
@@ -144,13 +150,13 @@ clean: ## remove build/
 softpipe := env GALLIUM_DRIVER=softpipe GLASSINE_MAX_GL=330
 oldest := env LIBGL_ALWAYS_SOFTWARE=1 MESA_GL_VERSION_OVERRIDE=3.3 MESA_GLSL_VERSION_OVERRIDE=330 \
     MESA_GLES_VERSION_OVERRIDE=3.0 GLASSINE_MAX_GL=330 GLASSINE_MAX_ES=300
-run-tests: $(unit_tests) $(mock_tests) $(gl_tests) build/illustrate build/host build/embed_shaders $(glad)
+run-tests: $(unit_tests) $(mock_tests) $(gl_tests) build/illustrate build/rts build/host build/embed_shaders $(glad)
 	@tools/run_suites $(unit_tests) $(mock_tests) $(gl_tests) \
 	    '$(softpipe) build/tests/gl_alpha' '$(softpipe) build/tests/gl_targets' \
 	    $(foreach test,hosts transparency integration,'$(softpipe) build/tests/gl_$(test)' '$(oldest) build/tests/gl_$(test)') \
 	    'tests/compile/headers_alone build/compile' 'build/embed_shaders . --check' \
 	    'tests/compile/quick_starts build/quick_starts' 'tests/compile/minimal_examples build/minimal' \
-	    'tests/compile/exports build/exports' 'tests/compile/loaders build/loaders' 'sh tests/test_illustrate.sh' 'sh tests/test_host.sh'
+	    'tests/compile/exports build/exports' 'tests/compile/loaders build/loaders' 'sh tests/test_illustrate.sh' 'sh tests/test_rts.sh' 'sh tests/test_host.sh'
 
 # What a GL driver leaks is not ours to mend.
 run-sanitized: $(unit_tests) $(mock_tests) $(gl_tests) $(out)/illustrate
@@ -174,6 +180,10 @@ $(out)/libexamples.a: $(example_modules:%=$(out)/examples/%.o)
 
 $(out)/illustrate: $(out)/examples/illustrate.o $(out)/libexamples.a
 	$(call say,LINK    $@)$(CC) $(flags) $^ $(program_libraries) -o $@
+
+# A window where there is a display; else pictures, by EGL.
+$(out)/rts: $(out)/examples/rts.o $(out)/libexamples.a
+	$(call say,LINK    $@)$(CC) $(flags) $^ $(program_libraries) -lglfw -o $@
 
 # The engine that transparency.h is put into; docs/integration.md tells how.
 $(out)/host: $(patsubst %.c,$(out)/%.o,$(sort $(wildcard examples/host/*.c))) $(out)/libexamples.a

@@ -113,7 +113,7 @@
 
    STORES, desc.store
    They differ in geometry passes, memory and what happens when there is too much; the layers of a pixel come in the
-   same order in all. What fits looks the same, to the bit, with OIT_STORE_EXACT, OIT_STORE_PREDICT and OIT_STORE_LINKED.
+   same order in all. What fits looks the same, to the bit, with OIT_STORE_EXACT, OIT_STORE_PREDICT, OIT_STORE_LINKED and OIT_STORE_FETCH.
    - OIT_STORE_EXACT    two geometry passes: counted, then filled
    - OIT_STORE_PREDICT  one, into runs as long as the pixel or one of its eight neighbours needed in the frame before, and
                         desc.headroom. What the guess does not hold is filled again with OIT_FIT_WAIT (two passes more), and
@@ -127,6 +127,13 @@
                         frame, because which records found place depends on the order in which they came. Where the report
                         of a frame before says that not all will fit, the frame is counted first, and only the pixels that
                         do not fit are lost. 12 bytes a pixel (36 with OIT_FIT_ASYNC)
+   - OIT_STORE_FETCH    seven layers a geometry pass (three where there are less than eight draw buffers) in attachments, by
+                        GL_EXT_shader_framebuffer_fetch; as many passes as the deepest pixel needs: known by one read-back
+                        after the first, or with OIT_FIT_ASYNC from the last report, and then layers beyond those are left
+                        out, farthest first, and counted as lost. No fragment is stored: 52 bytes a pixel and 120 a pixel of
+                        targets, however many layers; no picking and no depth of the composite. 16 bytes a fragment at most
+                        (OIT_COLOR_8 or OIT_COLOR_HALF and one word more), no coverage, not with OIT_STATE_NONE. The
+                        target's depth must be a renderbuffer or a 2D texture, not that of the default framebuffer
 
    RECIPES
    - Your own shaders: prepend the strings of oit_glsl() to a vertex and a fragment shader (which then begins without
@@ -145,6 +152,8 @@
    - Fog, depth of field, temporal anti-aliasing after glass: frame.depth = OIT_DEPTH_MEDIAN, and frame.depth_framebuffer
      the target itself, or a framebuffer with a copy of the opaque depth.
    - Surfaces with many layers that must not turn into a wall: desc.alpha_law = OIT_ALPHA_ADAPTIVE.
+   - A fixed price whatever is drawn: OIT_STORE_BUDGET; desc.layers bounds k where the budget would give more. With
+     OIT_STORE_BUCKETED and 16 bits of depth the count pass chooses by part as well: set fragment.part there too.
 
    MULTISAMPLED TARGETS
    With OIT_FIELD_COVERAGE, of 2 to OIT_MAX_SAMPLES samples. A fragment is stored once a pixel with the samples that it
@@ -287,7 +296,7 @@ typedef enum oit_store_kind {
     OIT_STORE_BUDGET,
     OIT_STORE_LINKED,   /* one geometry pass into lists, as published, each copied into a run */
     OIT_STORE_BUCKETED, /* as BUDGET; and the fragments of each pixel grouped by OIT_FIELD_PART, for neighbours */
-    OIT_STORE_FETCH
+    OIT_STORE_FETCH     /* seven layers a geometry pass by framebuffer fetch; see STORES */
 } oit_store_kind;
 
 /* How a fragment's colour is kept. Bytes are those of a fragment with nothing else chosen; sizes go in steps of 8. */
@@ -350,7 +359,7 @@ typedef struct oit_desc {
     int sample_order; /* 1, with OIT_FIELD_COVERAGE: each sample is a fragment of its own; see MULTISAMPLED TARGETS */
     int headroom; /* OIT_STORE_PREDICT: places that a pixel gets beyond those that it or a neighbour needed in the frame
                      before, in sixteenths, rounded up; at most 64; 0: default 2; negative: none */
-    oit_alpha_law alpha_law; /* ADAPTIVE knows all of a pixel's fragments, so not with BUDGET, BUCKETED */
+    oit_alpha_law alpha_law; /* ADAPTIVE counts layers: with EXACT, and with PREDICT or LINKED where they wait */
     uint32_t operators;      /* OIT_OPERATE_*: what oit_run may be asked for; see OPERATORS */
     int operator_fields;     /* numbers of the host's own for each fragment, kept between its operators; 4 bytes each */
 } oit_desc;
@@ -4714,8 +4723,9 @@ static const char *oit_i_bad_member(const oit_desc *desc) {
         return "OIT_FIELD_COVERAGE does not go with OIT_STATE_NONE: samples are the target's, which is not asked there";
     if ((unsigned)desc->alpha_law > (unsigned)OIT_ALPHA_ADAPTIVE)
         return "alpha_law is none of its enumerators";
-    if (desc->alpha_law == OIT_ALPHA_ADAPTIVE && oit_i_keeps(desc))
-        return "OIT_ALPHA_ADAPTIVE goes with stores that keep every fragment";
+    if (desc->alpha_law == OIT_ALPHA_ADAPTIVE && desc->store != OIT_STORE_EXACT &&
+        ((desc->store != OIT_STORE_PREDICT && desc->store != OIT_STORE_LINKED) || desc->fit == OIT_FIT_ASYNC))
+        return "OIT_ALPHA_ADAPTIVE goes with OIT_STORE_EXACT, and with PREDICT or LINKED where they wait";
     if (desc->sample_order && !(desc->fields & OIT_FIELD_COVERAGE))
         return "sample_order goes with OIT_FIELD_COVERAGE";
     if (desc->host_words < 0 || desc->host_words > OIT_MAX_HOST_WORDS)
@@ -6328,6 +6338,8 @@ static int oit_i_has_program(const oit_desc *desc, int program) {
     if (desc->store == OIT_STORE_FETCH && (program == OIT_I_PROGRAM_SPREAD || program == OIT_I_PROGRAM_COUNT ||
                                            (program >= OIT_I_PROGRAM_COMPOSE && !oit_i_is_tail(program))))
         return 0;
+    if (program >= OIT_I_PROGRAM_SAMPLED && program < OIT_I_PROGRAM_PICK && !(desc->fields & OIT_FIELD_COVERAGE))
+        return 0;
     return program != OIT_I_PROGRAM_GATHER || desc->store == OIT_STORE_LINKED;
 }
 
@@ -6551,6 +6563,8 @@ OIT_I_API oit_result oit_begin(oit_context *oit, const oit_frame *frame) {
      depth    pixels, fragments           read        fill
      predict  pixels: own words, counts read; starts, totals, tail written    settle and report of the frame before
      settle   pixels: starts, counts read; own words, totals, tail written; fragments read    fill
+     lay      pixels: laid words both, counts and totals written    fill; lay of the pass before. Layers lie in attachments,
+              which the extension keeps in order
      gather   pixels: starts, own words read, counts and tail written; list read; fragments written    spread, fill, and
               compose of the frame or band before
    With OIT_STORE_LINKED fill writes the list in the place of the fragments, and clear what gather of the band before has

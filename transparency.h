@@ -444,6 +444,8 @@ typedef enum tr_pass_kind {
     TR_PASS_SEEDS,       /* depth of the targets of a run */
     TR_PASS_ROWS,        /* nearest pixel of a target in each row */
     TR_PASS_NEAREST,     /* nearest of all */
+    TR_PASS_EXTENTS,     /* columns of texels a mask, as is FORMS: first and last pixel of a target in each row */
+    TR_PASS_FORMS,       /* circle, ellipse or hull of these */
     TR_PASS_MASKS,       /* what the masks of a run leave of opacity, with those before */
     TR_PASS_PAINT_DEPTH, /* depth of solid units: their front-most surfaces */
     TR_PASS_PAINT,       /* units, blended; triangles of TR_UNIT_HOLLOW ones are to come back to front */
@@ -1983,7 +1985,7 @@ static const char *const tr_i_shader_seq_block_glsl[] = {
     "    highp vec4 tr_light; // of built-in shading, as in frame_block.glsl\n"
     "    highp vec4 tr_cool;\n"
     "    highp vec4 tr_warm;\n"
-    "    highp vec4 tr_seq_law;       // x: alpha_target, y: alpha_start, z: width of the gradient in pixels\n"
+    "    highp vec4 tr_seq_law;       // x: alpha_target, y: alpha_start, z: width of the gradient in pixels, w: tr_mask_shape\n"
     "    highp vec4 tr_seq_background;\n"
     "    highp ivec4 tr_seq_view;     // the viewport: x, y, width, height\n"
     "    highp ivec4 tr_seq_numbers;  // x: divisor, y: how far a mask reaches, in pixels, z: layer control, 0: none, w: lights\n"
@@ -2069,6 +2071,80 @@ static const char *const tr_i_shader_seq_compose_frag[] = {
     "            break;\n"
     "    }\n"
     "    tr_color = vec4(sum + left * tr_seq_background.rgb, 1.0);\n"
+    "}\n",
+    0};
+static const char *const tr_i_shader_seq_extents_frag[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// The first and last pixel of a target in each row of its box: a column of texels a mask, a texel a row. Stored + 1; 0: none.\n"
+    "uniform highp sampler2D tr_seed;\n"
+    "layout(location = 0) out highp uvec4 tr_extent;\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    ivec2 at = ivec2(gl_FragCoord.xy);\n"
+    "    highp ivec4 box = ivec4(tr_masks[at.x].box);\n"
+    "    int first = -1, last = -1;\n"
+    "    tr_extent = uvec4(0u);\n"
+    "    if (at.y < box.y || at.y >= box.w)\n"
+    "        return;\n"
+    "    for (int x = box.x; x < box.z && first < 0; ++x)\n"
+    "        if (texelFetch(tr_seed, ivec2(x, at.y), 0).r != TR_CLEAR_DEPTH)\n"
+    "            first = x;\n"
+    "    for (int x = box.z - 1; x >= box.x && first >= 0 && last < 0; --x)\n"
+    "        if (texelFetch(tr_seed, ivec2(x, at.y), 0).r != TR_CLEAR_DEPTH)\n"
+    "            last = x;\n"
+    "    tr_extent = uvec4(uint(first + 1), uint(last + 1), 0u, 0u);\n"
+    "}\n",
+    0};
+static const char *const tr_i_shader_seq_forms_frag[] = {
+    "#line 1\n"
+    "// For: transparency.h\n"
+    "// What circle, ellipse and convex hull of a target's pixels are found by, a column of texels a mask: how far the pixels' middles\n"
+    "// reach in each of 64 directions, then how much the rectangle of all has to be scaled for circle or ellipse to hold them.\n"
+    "// Bits of floats; 0: the target has no pixel.\n"
+    "uniform highp usampler2D tr_extents; // of seq_extents.frag\n"
+    "layout(location = 0) out highp uvec4 tr_form;\n"
+    "\n"
+    "// Calls nothing for rows without the target; x: first, y: last, both middles of pixels.\n"
+    "bool tr_row(int mask, int row, out highp vec2 ends)\n"
+    "{\n"
+    "    highp uvec2 extent = texelFetch(tr_extents, ivec2(mask, row), 0).rg;\n"
+    "    ends = vec2(extent) - 0.5;\n"
+    "    return extent.x != 0u;\n"
+    "}\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    ivec2 at = ivec2(gl_FragCoord.xy);\n"
+    "    highp ivec4 box = ivec4(tr_masks[at.x].box);\n"
+    "    highp vec2 ends, low = vec2(1.0e6), high = vec2(-1.0e6);\n"
+    "    highp float angle = float(at.y) * (6.283185307179586 / 64.0), reach = -1.0e6, scale = 0.0;\n"
+    "    highp vec2 way = vec2(cos(angle), sin(angle));\n"
+    "    for (int y = box.y; y < box.w; ++y) {\n"
+    "        highp float middle = float(y) + 0.5;\n"
+    "        if (!tr_row(at.x, y, ends))\n"
+    "            continue;\n"
+    "        reach = max(reach, max(ends.x * way.x, ends.y * way.x) + middle * way.y);\n"
+    "        low = min(low, vec2(ends.x, middle));\n"
+    "        high = max(high, vec2(ends.y, middle));\n"
+    "    }\n"
+    "    tr_form = uvec4(0u);\n"
+    "    if (high.x < 0.0)\n"
+    "        return;\n"
+    "    tr_form.r = floatBitsToUint(reach);\n"
+    "    if (at.y < 64)\n"
+    "        return;\n"
+    "    highp vec2 radius = tr_seq_law.w == 1.0 ? vec2(1.0) : (high - low) * 0.5, centre = (low + high) * 0.5;\n"
+    "    for (int y = box.y; y < box.w; ++y) {\n"
+    "        highp float up = float(y) + 0.5 - centre.y, across;\n"
+    "        if (!tr_row(at.x, y, ends))\n"
+    "            continue;\n"
+    "        across = max(abs(ends.x - centre.x), abs(ends.y - centre.x));\n"
+    "        scale = max(scale, length(vec2(radius.x > 0.0 ? across / radius.x : 0.0, radius.y > 0.0 ? up / radius.y : 0.0)));\n"
+    "    }\n"
+    "    // A single pixel has none; 0 would say that there is not even that.\n"
+    "    tr_form.r = floatBitsToUint(max(scale, 1.0e-6));\n"
     "}\n",
     0};
 static const char *const tr_i_shader_seq_keep_frag[] = {
@@ -2198,6 +2274,35 @@ static const char *const tr_i_shader_seq_mask_glsl[] = {
     "    return most;\n"
     "}\n"
     "\n"
+    "uniform highp usampler2D tr_forms; // of seq_forms.frag\n"
+    "\n"
+    "highp float tr_form_at(int texel)\n"
+    "{\n"
+    "    return uintBitsToFloat(texelFetch(tr_forms, ivec2(tr_v_mask, texel), 0).r);\n"
+    "}\n"
+    "\n"
+    "// How many pixels outside of circle, ellipse or hull a pixel's middle lies; 0 within.\n"
+    "highp float tr_beyond_form(highp vec2 place)\n"
+    "{\n"
+    "    highp vec2 high = vec2(tr_form_at(0), tr_form_at(16)), low = -vec2(tr_form_at(32), tr_form_at(48));\n"
+    "    highp vec2 radius = (high - low) * 0.5, way = place - (low + high) * 0.5;\n"
+    "    highp float scale = tr_form_at(64), beyond = 0.0;\n"
+    "    if (tr_seq_law.w == 1.0)\n"
+    "        return max(length(way) - scale, 0.0);\n"
+    "    if (tr_seq_law.w == 2.0) { // along the ray from the middle\n"
+    "        highp vec2 far = vec2(radius.x > 0.0 ? way.x / (radius.x * scale) : 0.0,\n"
+    "                              radius.y > 0.0 ? way.y / (radius.y * scale) : 0.0);\n"
+    "        highp float size = length(far);\n"
+    "        return size > 1.0 ? length(way) * (1.0 - 1.0 / size) : 0.0;\n"
+    "    }\n"
+    "    // The hull by the lines that touch it in 64 directions: at a corner it is off by a hundredth of the sides there.\n"
+    "    for (int i = 0; i < 64; ++i) {\n"
+    "        highp float angle = float(i) * (6.283185307179586 / 64.0);\n"
+    "        beyond = max(beyond, dot(place, vec2(cos(angle), sin(angle))) - tr_form_at(i));\n"
+    "    }\n"
+    "    return beyond;\n"
+    "}\n"
+    "\n"
     "// Opacity that what is before the target is to have together; 1: no mask here. own: the target itself is here.\n"
     "highp float tr_mask_at(ivec2 pixel, out bool own, out highp float depth)\n"
     "{\n"
@@ -2205,8 +2310,12 @@ static const char *const tr_i_shader_seq_mask_glsl[] = {
     "    own = square == 0;\n"
     "    if (square < 0)\n"
     "        return 1.0;\n"
-    "    highp float beyond = max(sqrt(float(square)) - 1.0, 0.0), opacity = 1.0;\n"
-    "    if (own)\n"
+    "    highp float beyond = tr_seq_law.w > 0.0 ? tr_beyond_form(vec2(pixel) + 0.5) : max(sqrt(float(square)) - 1.0, 0.0);\n"
+    "    // Pixels of the target lie on the form's very outline, but for rounding.\n"
+    "    beyond = beyond > 1.0e-3 ? beyond : 0.0;\n"
+    "    highp float opacity = 1.0;\n",
+    "#line 95\n"
+    "    if (own || (tr_seq_law.w > 0.0 && beyond <= 0.0))\n"
     "        opacity = tr_seq_law.x;\n"
     "    else if (tr_seq_law.z > 0.0)\n"
     "        opacity = mix(tr_seq_law.y, 1.0, min(beyond / tr_seq_law.z, 1.0));\n"
@@ -3159,6 +3268,8 @@ enum {
     TR_I_SEQ_KEEP,
     TR_I_SEQ_SHARE,
     TR_I_SEQ_COMPOSE,
+    TR_I_SEQ_EXTENT,
+    TR_I_SEQ_FORM,
     TR_I_SEQ_PROGRAM_COUNT
 };
 
@@ -3356,6 +3467,7 @@ typedef struct tr_i_mask {
     int reach[4], box[4]; /* where it may be; what textures are drawn in for it */
     uint32_t unit, run;   /* run: of masks that are drawn together */
     float strength, active, importance, id;
+    int form; /* pixels by which circle or ellipse may be larger than the target */
 } tr_i_mask;
 
 /* What is painted at a time: units of which none covers another on the screen; or masks that do not overlap. */
@@ -3393,6 +3505,8 @@ enum {
     TR_I_SEQ_OWN_COLOR, /* a target of our own, where occluders have to be counted */
     TR_I_SEQ_OWN_DEPTH,
     TR_I_SEQ_REMAINING, /* occluders still to be painted */
+    TR_I_SEQ_EXTENTS,   /* rows of targets */
+    TR_I_SEQ_FORMS,     /* circle, ellipse or hull of each */
     TR_I_SEQ_REACH,     /* how far masks look through */
     TR_I_SEQ_CODE,      /* whose the layer is that is being peeled; layers are arrays from here on */
     TR_I_SEQ_EVEN,      /* depth of layers 0, 2, 4, ... */
@@ -3411,6 +3525,8 @@ enum {
     TR_I_SEQ_FBO_ALPHAS,
     TR_I_SEQ_FBO_OWN,
     TR_I_SEQ_FBO_COUNTS,
+    TR_I_SEQ_FBO_EXTENTS,
+    TR_I_SEQ_FBO_FORMS,
     TR_I_SEQ_FBO_REACH,
     TR_I_SEQ_FBO_PEEL,
     TR_I_SEQ_FBO_KEEP = TR_I_SEQ_FBO_PEEL + TR_I_SEQ_LAYERS,
@@ -3431,7 +3547,8 @@ typedef struct tr_i_sequence {
     int no_memory;
     int counted, published, product, each, layers; /* of this frame */
     int extent[4], wanted[4];                      /* width, height, divisor, layers: of the textures; of this frame */
-    int light, made_for_light;                     /* 1: colours are light, the target encodes them */
+    tr_mask_shape shape;
+    int light, made_for_light; /* 1: colours are light, the target encodes them */
     int has_block, exact, whole, layer_bound,
         peeled; /* peeled: layers; whole: the last of them is the end of the pixel */
     uint32_t runs;
@@ -3545,19 +3662,20 @@ TR_I_API const char *tr_result_string(tr_result result) {
 }
 
 TR_I_API const char *tr_pass_kind_name(tr_pass_kind kind) {
-    static const char *const names[] = {"front",        "peel",         "layer",
-                                        "limit",        "opaque",       "copy depth",
-                                        "opaque lines", "compose",      "transparent lines",
-                                        "hidden lines", "outer lines",  "take opaque",
-                                        "block",        "targets",      "bits",
-                                        "spread x",     "spread y",     "finish",
-                                        "prime",        "scene",        "behind",
-                                        "yield",        "compose mask", "query",
-                                        "hides",        "wipe",         "seeds",
-                                        "rows",         "nearest",      "masks",
-                                        "paint depth",  "paint",        "count",
-                                        "paint over",   "reach",        "peel units",
-                                        "keep",         "share",        "compose layers"};
+    static const char *const names[] = {"front",        "peel",          "layer",
+                                        "limit",        "opaque",        "copy depth",
+                                        "opaque lines", "compose",       "transparent lines",
+                                        "hidden lines", "outer lines",   "take opaque",
+                                        "block",        "targets",       "bits",
+                                        "spread x",     "spread y",      "finish",
+                                        "prime",        "scene",         "behind",
+                                        "yield",        "compose mask",  "query",
+                                        "hides",        "wipe",          "seeds",
+                                        "rows",         "nearest",       "extents",
+                                        "forms",        "masks",         "paint depth",
+                                        "paint",        "count",         "paint over",
+                                        "reach",        "peel units",    "keep",
+                                        "share",        "compose layers"};
     return (unsigned)kind < (unsigned)TR_PASS_KIND_COUNT ? names[kind] : "unknown pass";
 }
 
@@ -4826,6 +4944,13 @@ static void tr_i_paint(tr_context *tr, tr_i_sequence *seq, const tr_i_place *pla
     tr_i_list_unit(tr, seq, &seq->list, unit);
 }
 
+/* By how many pixels circle or ellipse of a target may go beyond its rectangle: a circle's radius is half its diagonal, an
+   ellipse is sqrt(2) times as large at most. */
+static int tr_i_form_of(const tr_i_sequence *seq, const int core[4]) {
+    int across = core[2] - core[0], up = core[3] - core[1], most = across > up ? across : up;
+    return seq->shape == TR_MASK_CIRCLE ? most * 3 / 4 + 1 : seq->shape == TR_MASK_ELLIPSE ? most / 4 + 1 : 0;
+}
+
 static tr_i_mask *tr_i_push_mask(tr_context *tr, tr_i_sequence *seq, const tr_unit *unit, uint32_t index,
                                  const int core[4], const int size[2]) {
     tr_i_mask *mask = (tr_i_mask *)tr_i_push(tr, &seq->masks, sizeof *mask);
@@ -4839,8 +4964,9 @@ static tr_i_mask *tr_i_push_mask(tr_context *tr, tr_i_sequence *seq, const tr_un
     mask->importance = tr_i_importance_of(unit);
     mask->active = unit->flags & TR_UNIT_ACTIVE ? 1.0f : 0.0f;
     mask->id = (float)unit->id;
-    tr_i_grow_box(core, seq->reach, size[0], size[1], mask->reach);
-    tr_i_grow_box(core, seq->grow, size[0], size[1], mask->box);
+    mask->form = tr_i_form_of(seq, core);
+    tr_i_grow_box(core, seq->reach + mask->form, size[0], size[1], mask->reach);
+    tr_i_grow_box(core, seq->grow + mask->form, size[0], size[1], mask->box);
     return mask;
 }
 
@@ -4851,7 +4977,7 @@ static void tr_i_add_mask(tr_context *tr, tr_i_sequence *seq, const tr_unit *uni
     const tr_i_mask *masks = (const tr_i_mask *)seq->masks.items;
     int box[4];
     size_t i;
-    tr_i_grow_box(core, seq->grow, size[0], size[1], box);
+    tr_i_grow_box(core, seq->grow + tr_i_form_of(seq, core), size[0], size[1], box);
     for (i = seq->pending; i < seq->masks.count && !tr_i_boxes_meet(masks[i].box, box);)
         ++i;
     if (i < seq->masks.count || seq->masks.count - seq->pending == TR_I_RUN)
@@ -4872,7 +4998,7 @@ static int tr_i_is_covered(const tr_i_sequence *seq, const tr_dynamic *dynamic, 
     size_t i;
     tr_i_box_of(places, order[at], core);
     /* Of the viewport's edges nothing depends here. */
-    tr_i_grow_box(core, seq->reach, 0xffff, 0xffff, reach);
+    tr_i_grow_box(core, seq->reach + tr_i_form_of(seq, core), 0xffff, 0xffff, reach);
     for (i = at + 1; i < dynamic->unit_count; ++i) {
         tr_unit unit;
         if (!tr_i_box_of(places, order[i], box) || !tr_i_boxes_meet(box, reach))
@@ -4927,7 +5053,7 @@ static int tr_i_is_behind(const tr_i_sequence *seq, const tr_dynamic *dynamic, c
     size_t i;
     if (!tr_i_box_of(places, target, core))
         return 0;
-    tr_i_grow_box(core, seq->reach, 0xffff, 0xffff, reach);
+    tr_i_grow_box(core, seq->reach + tr_i_form_of(seq, core), 0xffff, 0xffff, reach);
     for (i = 0; i < dynamic->unit_count; ++i) {
         tr_unit unit;
         if (i == target || !tr_i_box_of(places, i, box) || !tr_i_boxes_meet(box, reach) ||
@@ -5111,6 +5237,10 @@ static void tr_i_add_distances(tr_context *tr, const tr_i_item *item, uint32_t b
     tr_i_add_step(tr, TR_PASS_SEEDS, rule, units, item->count);
     tr_i_add_step(tr, TR_PASS_ROWS, TR_RULE_SEE_PLAIN, 0, item->count)->block = block;
     tr_i_add_step(tr, TR_PASS_NEAREST, TR_RULE_SEE_PLAIN, 0, item->count)->block = block;
+    if (seq->shape == TR_MASK_OUTLINE)
+        return;
+    tr_i_add_step(tr, TR_PASS_EXTENTS, TR_RULE_SEE_PLAIN, 0, 0)->block = block;
+    tr_i_add_step(tr, TR_PASS_FORMS, TR_RULE_SEE_PLAIN, 0, 0)->block = block;
 }
 
 /* And what follows from that. */
@@ -5238,8 +5368,8 @@ static int tr_i_ids_differ(const tr_dynamic *dynamic) {
 /* What the rung cannot do. */
 static const char *tr_i_check_rung(const tr_dynamic *dynamic) {
     int one_mask = dynamic->see == TR_SEE_ONE_MASK, dither = dynamic->see == TR_SEE_DITHER;
-    if (dynamic->shape != TR_MASK_OUTLINE)
-        return "dynamic.shape";
+    if (dynamic->shape != TR_MASK_OUTLINE && !tr_i_is_sequence(dynamic->see))
+        return "dynamic.shape: one mask for all targets has their outlines";
     if ((one_mask || dither) && dynamic->combine != TR_MASK_MIN)
         return "dynamic.combine: one mask for all targets is the least of theirs";
     if (one_mask && dynamic->occluders != TR_OCCLUDERS_TOGETHER)
@@ -5885,13 +6015,14 @@ static void tr_i_alpha_source(tr_i_source *source, tr_stage stage, int alpha) {
 /* Full-screen passes of sequences, by the programs' numbers from TR_I_SEQ_WIPE on. */
 static void tr_i_seq_source(tr_i_source *source, tr_stage stage, int program) {
     static const tr_i_strings fragments[] = {
-        tr_i_shader_seq_wipe_frag,   tr_i_shader_seq_row_frag,   tr_i_shader_seq_near_frag, tr_i_shader_seq_near_frag,
-        tr_i_shader_seq_mask_frag,   tr_i_shader_seq_mask_frag,  tr_i_shader_seq_mask_frag, tr_i_shader_seq_mask_frag,
-        tr_i_shader_seq_own_frag,    tr_i_shader_seq_reach_frag, tr_i_shader_seq_keep_frag, tr_i_shader_seq_share_frag,
-        tr_i_shader_seq_compose_frag};
+        tr_i_shader_seq_wipe_frag,    tr_i_shader_seq_row_frag,     tr_i_shader_seq_near_frag,
+        tr_i_shader_seq_near_frag,    tr_i_shader_seq_mask_frag,    tr_i_shader_seq_mask_frag,
+        tr_i_shader_seq_mask_frag,    tr_i_shader_seq_mask_frag,    tr_i_shader_seq_own_frag,
+        tr_i_shader_seq_reach_frag,   tr_i_shader_seq_keep_frag,    tr_i_shader_seq_share_frag,
+        tr_i_shader_seq_compose_frag, tr_i_shader_seq_extents_frag, tr_i_shader_seq_forms_frag};
     int masks = program >= TR_I_SEQ_MASK && program < TR_I_SEQ_OVER, near_ = program - TR_I_SEQ_NEAR;
     int rings = masks ? (program - TR_I_SEQ_MASK) & 1 : near_ == 1;
-    int whole = program == TR_I_SEQ_OVER || program == TR_I_SEQ_KEEP || program == TR_I_SEQ_COMPOSE;
+    int whole = program == TR_I_SEQ_OVER || program == TR_I_SEQ_KEEP || program >= TR_I_SEQ_COMPOSE;
     tr_i_add_chunks(source, tr_i_shader_seq_block_glsl);
     if (stage == TR_VERTEX) {
         tr_i_add_define(source, "TR_BOXES", program == TR_I_SEQ_ROW ? 1 : near_ == 0 || near_ == 1 ? 2 : 0);
@@ -5902,7 +6033,7 @@ static void tr_i_seq_source(tr_i_source *source, tr_stage stage, int program) {
     tr_i_add_define(source, "TR_TOGETHER", masks && program >= TR_I_SEQ_MASK + 2);
     if (masks || program == TR_I_SEQ_DEPTHS || program == TR_I_SEQ_SHARE)
         tr_i_add_chunks(source, tr_i_shader_seq_mask_glsl);
-    if (program > TR_I_SEQ_DEPTHS) {
+    if (program > TR_I_SEQ_DEPTHS && program <= TR_I_SEQ_COMPOSE) {
         tr_i_add_chunks(source, tr_i_shader_seq_codes_glsl);
         tr_i_add_chunks(source, tr_i_shader_seq_layers_glsl);
     }
@@ -5989,12 +6120,12 @@ static const struct {
     const char *name;
     int unit;
 } tr_i_seq_samplers[] = {
-    {"tr_seed", TR_I_SCENE_DEPTH},        {"tr_rows", TR_I_OPAQUE_COLOR},        {"tr_nearest_seed", TR_I_MARK},
-    {"tr_block_depth", TR_I_MARK},        {"tr_mask_alphas", TR_I_OPAQUE_COLOR}, {"tr_remaining", TR_I_CROSSINGS},
-    {"tr_own_depth", TR_I_SCENE_DEPTH},   {"tr_own_color", TR_I_OPAQUE_COLOR},   {"tr_reach", TR_I_CROSSINGS},
-    {"tr_code", TR_I_OPAQUE_COLOR},       {"tr_layer_before", TR_I_FRONT_DEPTH}, {"tr_layer_now", TR_I_ODD_DEPTH},
-    {"tr_layer_even", TR_I_FRONT_DEPTH},  {"tr_layer_odd", TR_I_ODD_DEPTH},      {"tr_chain", TR_I_FRONT_OWNER},
-    {"tr_layer_alphas", TR_I_FRONT_DEPTH}};
+    {"tr_seed", TR_I_SCENE_DEPTH},         {"tr_rows", TR_I_OPAQUE_COLOR},   {"tr_extents", TR_I_OPAQUE_COLOR},
+    {"tr_forms", TR_I_OPAQUE_COLOR},       {"tr_nearest_seed", TR_I_MARK},   {"tr_block_depth", TR_I_MARK},
+    {"tr_mask_alphas", TR_I_OPAQUE_COLOR}, {"tr_remaining", TR_I_CROSSINGS}, {"tr_own_depth", TR_I_SCENE_DEPTH},
+    {"tr_own_color", TR_I_OPAQUE_COLOR},   {"tr_reach", TR_I_CROSSINGS},     {"tr_code", TR_I_OPAQUE_COLOR},
+    {"tr_layer_before", TR_I_FRONT_DEPTH}, {"tr_layer_now", TR_I_ODD_DEPTH}, {"tr_layer_even", TR_I_FRONT_DEPTH},
+    {"tr_layer_odd", TR_I_ODD_DEPTH},      {"tr_chain", TR_I_FRONT_OWNER},   {"tr_layer_alphas", TR_I_FRONT_DEPTH}};
 
 /* Points a program's samplers and block at our units and binding. The program is left in use. */
 static void tr_i_wire_program(tr_context *tr, tr_i_u program) {
@@ -6508,6 +6639,7 @@ static tr_i_format tr_i_seq_format(const tr_i_sequence *seq, int texture) {
     switch (texture) {
     case TR_I_SEQ_CODE:
     case TR_I_SEQ_CHAIN:
+    case TR_I_SEQ_FORMS:
         return code;
     case TR_I_SEQ_LAYER_COLOR: /* light has more dark than 8 bits hold */
         return colors[seq->eight_bits || !seq->light];
@@ -6516,6 +6648,7 @@ static tr_i_format tr_i_seq_format(const tr_i_sequence *seq, int texture) {
     case TR_I_SEQ_ROWS:
         return row;
     case TR_I_SEQ_NEAREST:
+    case TR_I_SEQ_EXTENTS:
         return nearest;
     case TR_I_SEQ_ALPHAS:
         return pairs[seq->eight_bits];
@@ -6533,6 +6666,10 @@ static void tr_i_seq_size(int texture, const int extent[4], int size[3]) {
     int cell = extent[2], layers = extent[3];
     size[0] = texture == TR_I_SEQ_ROWS || texture == TR_I_SEQ_NEAREST ? (extent[0] + cell - 1) / cell : extent[0];
     size[1] = texture == TR_I_SEQ_NEAREST ? (extent[1] + cell - 1) / cell : extent[1];
+    if (texture == TR_I_SEQ_EXTENTS || texture == TR_I_SEQ_FORMS) {
+        size[0] = TR_I_RUN;
+        size[1] = texture == TR_I_SEQ_FORMS ? 65 : extent[1];
+    }
     size[2] = texture < TR_I_SEQ_EVEN            ? 0
               : texture <= TR_I_SEQ_ODD          ? (layers + 1) / 2
               : texture == TR_I_SEQ_LAYER_ALPHAS ? (layers + 3) / 4
@@ -6544,6 +6681,8 @@ static uint32_t tr_i_seq_needs(const tr_i_sequence *seq) {
     uint32_t needs = 1u << TR_I_SEQ_SEED | 1u << TR_I_SEQ_ROWS | 1u << TR_I_SEQ_NEAREST;
     if (seq->has_block)
         needs |= 1u << TR_I_SEQ_BLOCK;
+    if (seq->shape != TR_MASK_OUTLINE)
+        needs |= 1u << TR_I_SEQ_EXTENTS | 1u << TR_I_SEQ_FORMS;
     if (seq->exact)
         return needs | 1u << TR_I_SEQ_REACH | 1u << TR_I_SEQ_CODE | 1u << TR_I_SEQ_EVEN | 1u << TR_I_SEQ_ODD |
                1u << TR_I_SEQ_CHAIN | 1u << TR_I_SEQ_LAYER_COLOR | 1u << TR_I_SEQ_LAYER_ALPHAS;
@@ -6613,9 +6752,9 @@ static void tr_i_drop_sequence(tr_context *tr) {
 /* The unit that a texture is read from, where it is read from one alone. */
 static int tr_i_seq_unit(int texture) {
     static const int units[TR_I_SEQ_TEXTURE_COUNT] = {
-        TR_I_SCENE_DEPTH,  TR_I_OPAQUE_COLOR, TR_I_MARK,        TR_I_MARK,        TR_I_OPAQUE_COLOR,
-        TR_I_OPAQUE_COLOR, TR_I_SCENE_DEPTH,  TR_I_CROSSINGS,   TR_I_CROSSINGS,   TR_I_OPAQUE_COLOR,
-        TR_I_FRONT_DEPTH,  TR_I_ODD_DEPTH,    TR_I_FRONT_OWNER, TR_I_LAYER_COLOR, TR_I_FRONT_DEPTH};
+        TR_I_SCENE_DEPTH, TR_I_OPAQUE_COLOR, TR_I_MARK,         TR_I_MARK,         TR_I_OPAQUE_COLOR, TR_I_OPAQUE_COLOR,
+        TR_I_SCENE_DEPTH, TR_I_CROSSINGS,    TR_I_OPAQUE_COLOR, TR_I_OPAQUE_COLOR, TR_I_CROSSINGS,    TR_I_OPAQUE_COLOR,
+        TR_I_FRONT_DEPTH, TR_I_ODD_DEPTH,    TR_I_FRONT_OWNER,  TR_I_LAYER_COLOR,  TR_I_FRONT_DEPTH};
     return units[texture];
 }
 
@@ -6648,6 +6787,8 @@ static void tr_i_seq_attachments(int fbo, int out[3], int slices[3]) {
                                                        {-1, TR_I_SEQ_ALPHAS},
                                                        {TR_I_SEQ_OWN_DEPTH, TR_I_SEQ_OWN_COLOR},
                                                        {TR_I_SEQ_OWN_DEPTH, TR_I_SEQ_REMAINING},
+                                                       {-1, TR_I_SEQ_EXTENTS},
+                                                       {-1, TR_I_SEQ_FORMS},
                                                        {TR_I_SEQ_REACH, -1}};
     int layer = (fbo - TR_I_SEQ_FBO_PEEL) % TR_I_SEQ_LAYERS;
     slices[0] = layer / 2;
@@ -8500,6 +8641,7 @@ static void tr_i_fill_seq_block(const tr_i_sequence *seq, const tr_frame *frame,
     block->law[0] = law->target;
     block->law[1] = law->start;
     block->law[2] = law->width;
+    block->law[3] = (float)(int)seq->shape;
     memcpy(block->background, dynamic->background, sizeof dynamic->background);
     block->view[0] = frame->x;
     block->view[1] = frame->y;
@@ -8507,6 +8649,11 @@ static void tr_i_fill_seq_block(const tr_i_sequence *seq, const tr_frame *frame,
     block->view[3] = frame->height;
     block->numbers[0] = seq->wanted[2];
     block->numbers[1] = seq->reach;
+    for (i = 0; i < seq->masks.count && seq->shape != TR_MASK_OUTLINE; ++i) {
+        const int *box = ((const tr_i_mask *)seq->masks.items)[i].box;
+        int most = box[2] - box[0] > box[3] - box[1] ? box[2] - box[0] : box[3] - box[1];
+        block->numbers[1] = most > block->numbers[1] ? most : block->numbers[1];
+    }
     block->numbers[2] = seq->layers;
     block->numbers[3] = (int32_t)dynamic->light_count;
     block->step[1] = seq->product;
@@ -8587,6 +8734,10 @@ static int tr_i_seq_program(const tr_i_sequence *seq, const tr_i_step *step) {
         return TR_I_PROGRAM_SEQUENCE + TR_I_SEQ_MASK + seq->published + 2 * together;
     case TR_PASS_PAINT_OVER:
         return TR_I_PROGRAM_SEQUENCE + TR_I_SEQ_OVER;
+    case TR_PASS_EXTENTS:
+        return TR_I_PROGRAM_SEQUENCE + TR_I_SEQ_EXTENT;
+    case TR_PASS_FORMS:
+        return TR_I_PROGRAM_SEQUENCE + TR_I_SEQ_FORM;
     case TR_PASS_REACH:
         return TR_I_PROGRAM_SEQUENCE + TR_I_SEQ_DEPTHS;
     case TR_PASS_KEEP:
@@ -8662,6 +8813,7 @@ static void tr_i_take_wishes(tr_context *tr, const tr_dynamic *dynamic) {
     seq->wanted[2] = law->divisor;
     seq->wanted[3] = 0;
     seq->exact = dynamic->see == TR_SEE_EXACT;
+    seq->shape = dynamic->shape;
     seq->light = (tr->frame.wishes.options & TR_WISH_SRGB) != 0;
     seq->reach = law->reach;
     seq->grow = law->reach + 2 * law->divisor;
@@ -8678,6 +8830,8 @@ static void tr_i_plan_step(tr_see_plan *plan, const tr_i_sequence *seq, const tr
                 {TR_PASS_SEEDS, "the targets of a run: they and their masks do not overlap"},
                 {TR_PASS_ROWS, "the nearest pixel of a target in each row"},
                 {TR_PASS_NEAREST, "of these the nearest"},
+                {TR_PASS_EXTENTS, "rows of the targets of a run"},
+                {TR_PASS_FORMS, "circles, ellipses or hulls of them"},
                 {TR_PASS_MASKS, "masks, over those of targets farther off"},
                 {TR_PASS_PAINT_DEPTH, "front-most surfaces of solid units"},
                 {TR_PASS_PAINT, "units that masks may make transparent, back to front"},
@@ -9065,6 +9219,7 @@ static void tr_i_bind_step(const tr_i_sequence *seq, const tr_i_step *step, tr_s
         state->textures[TR_I_SCENE_DEPTH] = textures[TR_I_SEQ_SEED];
         state->textures[TR_I_MARK] = textures[TR_I_SEQ_NEAREST];
         state->textures[TR_I_CROSSINGS] = seq->counted ? textures[TR_I_SEQ_REMAINING] : 0;
+        state->textures[TR_I_OPAQUE_COLOR] = textures[TR_I_SEQ_FORMS];
         break;
     case TR_PASS_PAINT:
         state->textures[TR_I_OPAQUE_COLOR] = textures[TR_I_SEQ_ALPHAS];
@@ -9074,9 +9229,16 @@ static void tr_i_bind_step(const tr_i_sequence *seq, const tr_i_step *step, tr_s
         state->textures[TR_I_SCENE_DEPTH] = textures[TR_I_SEQ_OWN_DEPTH];
         state->textures[TR_I_OPAQUE_COLOR] = textures[TR_I_SEQ_OWN_COLOR];
         break;
+    case TR_PASS_EXTENTS:
+        state->textures[TR_I_SCENE_DEPTH] = textures[TR_I_SEQ_SEED];
+        break;
+    case TR_PASS_FORMS:
+        state->textures[TR_I_OPAQUE_COLOR] = textures[TR_I_SEQ_EXTENTS];
+        break;
     case TR_PASS_REACH:
         state->textures[TR_I_SCENE_DEPTH] = textures[TR_I_SEQ_SEED];
         state->textures[TR_I_MARK] = textures[TR_I_SEQ_NEAREST];
+        state->textures[TR_I_OPAQUE_COLOR] = textures[TR_I_SEQ_FORMS];
         break;
     case TR_PASS_PEEL_UNITS:
         state->textures[TR_I_FRONT_DEPTH] = textures[step->layer & 1 ? TR_I_SEQ_EVEN : TR_I_SEQ_ODD];
@@ -9093,6 +9255,7 @@ static void tr_i_bind_step(const tr_i_sequence *seq, const tr_i_step *step, tr_s
         state->textures[TR_I_FRONT_DEPTH] = textures[TR_I_SEQ_EVEN];
         state->textures[TR_I_ODD_DEPTH] = textures[TR_I_SEQ_ODD];
         state->textures[TR_I_FRONT_OWNER] = textures[TR_I_SEQ_CHAIN];
+        state->textures[TR_I_OPAQUE_COLOR] = textures[TR_I_SEQ_FORMS];
         state->textures[TR_I_SCENE_DEPTH] = textures[TR_I_SEQ_SEED];
         state->textures[TR_I_MARK] = textures[TR_I_SEQ_NEAREST];
         break;
@@ -9128,6 +9291,10 @@ static int tr_i_step_fbo(const tr_i_step *step) {
         return !step->own ? -1 : step->subtract ? TR_I_SEQ_FBO_OWN : TR_I_SEQ_FBO_COUNTS;
     case TR_PASS_PAINT:
         return step->own ? TR_I_SEQ_FBO_OWN : -1;
+    case TR_PASS_EXTENTS:
+        return TR_I_SEQ_FBO_EXTENTS;
+    case TR_PASS_FORMS:
+        return TR_I_SEQ_FBO_FORMS;
     case TR_PASS_REACH:
         return TR_I_SEQ_FBO_REACH;
     case TR_PASS_PEEL_UNITS:
@@ -9153,7 +9320,8 @@ static void tr_i_step_extent(const tr_i_sequence *seq, int fbo, tr_state *state)
     state->viewport[2] = size[0];
     state->viewport[3] = size[1];
     /* Boxes of cells reach a cell further; what units are painted into, and what they read there, is whole. */
-    if (across > 1 || fbo == TR_I_SEQ_FBO_ALPHAS || fbo == TR_I_SEQ_FBO_OWN || fbo == TR_I_SEQ_FBO_COUNTS)
+    if (across > 1 || texture == TR_I_SEQ_EXTENTS || texture == TR_I_SEQ_FORMS || fbo == TR_I_SEQ_FBO_ALPHAS ||
+        fbo == TR_I_SEQ_FBO_OWN || fbo == TR_I_SEQ_FBO_COUNTS)
         return;
     state->scissor[0] = box[0] / across;
     state->scissor[1] = box[1] / up;
@@ -9241,8 +9409,9 @@ static void tr_i_test_step(const tr_context *tr, const tr_i_step *step, tr_state
     int reversed = tr->desc.reversed_z;
     tr_i_u nearer = reversed ? TR_I_GL_GREATER : TR_I_GL_LESS;
     tr_pass_kind kind = (tr_pass_kind)step->kind;
-    int colors = kind == TR_PASS_ROWS || kind == TR_PASS_NEAREST || kind == TR_PASS_MASKS || kind == TR_PASS_KEEP ||
-                 kind == TR_PASS_SHARE || kind == TR_PASS_COMPOSE_LAYERS;
+    int colors = kind == TR_PASS_EXTENTS || kind == TR_PASS_FORMS || kind == TR_PASS_ROWS || kind == TR_PASS_NEAREST ||
+                 kind == TR_PASS_MASKS || kind == TR_PASS_KEEP || kind == TR_PASS_SHARE ||
+                 kind == TR_PASS_COMPOSE_LAYERS;
     int later = kind == TR_PASS_PAINT || kind == TR_PASS_COUNT;
     state->blend_source = state->blend_source_alpha = TR_I_GL_ONE;
     state->front_face = tr->desc.front_face_cw ? TR_I_GL_CW : TR_I_GL_CCW;

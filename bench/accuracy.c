@@ -9,9 +9,13 @@
 #define _POSIX_C_SOURCE 200809L
 #define FIELD_SIZE 512
 #define FIELD_STEP 3
+/* Before scene.h, whose names are those of its variables. */
+#include "../tests/reference_dynamic.h"
+
 #include "../tests/alpha_field.h"
 
 #include "bench.h"
+#include "forest.h"
 #include "stage.h"
 
 #include "load_model.h"
@@ -396,6 +400,102 @@ static void run_pictures(harness *h, const char *name, const scene *model) {
     stage_clear(&s);
 }
 
+/* ---- dynamic transparency: its rungs ---- */
+
+typedef struct seeing {
+    const char *name;
+    tr_see see;
+    int divisor;
+} seeing;
+
+static const seeing seeings[] = {{"off", TR_SEE_OFF, 2},
+                                 {"one mask /1", TR_SEE_ONE_MASK, 1},
+                                 {"one mask /2", TR_SEE_ONE_MASK, 2},
+                                 {"one mask /4", TR_SEE_ONE_MASK, 4},
+                                 {"one mask /8", TR_SEE_ONE_MASK, 8},
+                                 {"dither", TR_SEE_DITHER, 2},
+                                 {"exact /1", TR_SEE_EXACT, 1},
+                                 {"exact /2", TR_SEE_EXACT, 2},
+                                 {"sequence", TR_SEE_SEQUENCE, 2},
+                                 {"published", TR_SEE_PUBLISHED, 2}};
+
+/* The mean of as many frames as dithering needs; of other rungs one. */
+static double *seen_picture(harness *h, dynamic_scene *d, double *ms) {
+    size_t count = 4 * (size_t)d->scene.width * (size_t)d->scene.height;
+    double *sum = need(count * sizeof *sum), times[64];
+    int shots = d->wish.see == TR_SEE_DITHER ? 33 : frames() < 15 ? 3 : 7;
+    memset(sum, 0, count * sizeof *sum);
+    dynamic_draw(h, d); /* warms up */
+    for (int i = 0; i < shots; ++i) {
+        d->wish.frame_index = (uint32_t)i;
+        glFinish();
+        double start = now_ms();
+        dynamic_draw(h, d);
+        glFinish();
+        times[i] = now_ms() - start;
+        unsigned char *pixels = dynamic_read(h, d);
+        for (size_t k = 0; k < count; ++k)
+            sum[k] += (double)pixels[k] / shots;
+        free(pixels);
+    }
+    *ms = median(times, (size_t)shots);
+    return sum;
+}
+
+/* The error is against the truth per pixel with the defaults, whatever the rung paints. */
+static void run_seeing(harness *h, dynamic_scene *d, const char *name, const ref_dyn_pixel *truth, const seeing *s) {
+    double ms, max = 0, squares = 0, count = 0;
+    d->wish.see = s->see;
+    d->wish.mask_divisor = s->divisor;
+    if (!dynamic_can(h, d))
+        return;
+    double *picture = seen_picture(h, d, &ms);
+    for (size_t i = 0; i < (size_t)d->scene.width * (size_t)d->scene.height; ++i)
+        for (size_t c = 0; c < 3 && !truth[i].left_out; ++c, ++count) {
+            double difference = fabs(truth[i].color[c] * 255 - picture[4 * i + c]);
+            max = fmax(max, difference);
+            squares += difference * difference;
+        }
+    add_row("dynamic", name, s->name, ms, max, count > 0 ? sqrt(squares / count) : 0,
+            (unsigned long long)tr_get_info(h->tr).see_plan->bytes);
+    free(picture);
+}
+
+static void run_seeings(harness *h, dynamic_scene *d, const char *name) {
+    ref_dyn_pixel *truth = dynamic_truth(d, NULL);
+    for (size_t i = 0; i < sizeof seeings / sizeof seeings[0]; ++i)
+        run_seeing(h, d, name, truth, &seeings[i]);
+    free(truth);
+}
+
+static void run_dynamic(harness *h) {
+    static const size_t numbers[] = {1, 10, 50, 200, 500};
+    dynamic_scene d;
+    dynamic_open(&d, h, forest_make());
+    dynamic_shade(&d, true);
+    dynamic_look(&d, FOREST_EYE, FOREST_AT, FOREST_FOV, 1280, 1024);
+    harness_target(h, 1280, 1024);
+    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; ++i) {
+        char name[32];
+        snprintf(name, sizeof name, "forest, %zu", numbers[i]);
+        forest_choose_targets(&d, numbers[i]);
+        run_seeings(h, &d, name);
+    }
+    dynamic_close(&d);
+    for (int k = 0; k < 2; ++k) {
+        battlefield *b = k ? battlefield_create_walkthrough(1) : battlefield_create_abstract(1);
+        for (size_t i = 0; i < b->scene->part_count; ++i)
+            b->scene->parts[i].hidden = false;
+        dynamic_open(&d, h, b);
+        dynamic_shade(&d, true);
+        dynamic_look(&d, b->eye, b->look_at, k ? 65 : 45, 800, 600);
+        harness_target(h, 800, 600);
+        run_seeings(h, &d, k ? "walkthrough" : "abstract");
+        dynamic_close(&d);
+    }
+    harness_target(h, FIELD_SIZE, FIELD_SIZE);
+}
+
 /* ---- scenes ---- */
 
 static void run_files(harness *h) {
@@ -434,6 +534,7 @@ int main(int argc, char **argv) {
         run_pictures(&h, names[i], model);
         scene_destroy(model);
     }
+    run_dynamic(&h);
     run_files(&h);
     harness_close(&h);
     bool written = write_table(folder);

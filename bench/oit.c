@@ -457,6 +457,7 @@ int main(int argc, char **argv) {
          .desc = {.store = OIT_STORE_BUCKETED, .fields = OIT_FIELD_PART, .layers = 8, .bucket_depth_bits = 16}},
         {.name = "predict", .draw = draw_oit, .desc = {.store = OIT_STORE_PREDICT}},
         {.name = "predict_async", .draw = draw_oit, .desc = {.store = OIT_STORE_PREDICT, .fit = OIT_FIT_ASYNC}},
+        {.name = "fetch", .draw = draw_oit, .desc = {.store = OIT_STORE_FETCH}},
         {.name = "linked", .draw = draw_oit, .desc = {.store = OIT_STORE_LINKED}},
         {.name = "linked_async", .draw = draw_oit, .desc = {.store = OIT_STORE_LINKED, .fit = OIT_FIT_ASYNC}},
         {.name = "peel", .draw = draw_peel},

@@ -10,7 +10,7 @@ layout(std140) uniform tr_frame
     highp vec4 tr_light; // of built-in shading, as in frame_block.glsl
     highp vec4 tr_cool;
     highp vec4 tr_warm;
-    highp vec4 tr_seq_law;       // x: alpha_target, y: alpha_start, z: width of the gradient in pixels
+    highp vec4 tr_seq_law;       // x: alpha_target, y: alpha_start, z: width of the gradient in pixels, w: tr_mask_shape
     highp vec4 tr_seq_background;
     highp ivec4 tr_seq_view;     // the viewport: x, y, width, height
     highp ivec4 tr_seq_numbers;  // x: divisor, y: how far a mask reaches, in pixels, z: layer control, 0: none, w: lights

@@ -52,6 +52,35 @@ highp float tr_light_at(highp vec2 place)
     return most;
 }
 
+uniform highp usampler2D tr_forms; // of seq_forms.frag
+
+highp float tr_form_at(int texel)
+{
+    return uintBitsToFloat(texelFetch(tr_forms, ivec2(tr_v_mask, texel), 0).r);
+}
+
+// How many pixels outside of circle, ellipse or hull a pixel's middle lies; 0 within.
+highp float tr_beyond_form(highp vec2 place)
+{
+    highp vec2 high = vec2(tr_form_at(0), tr_form_at(16)), low = -vec2(tr_form_at(32), tr_form_at(48));
+    highp vec2 radius = (high - low) * 0.5, way = place - (low + high) * 0.5;
+    highp float scale = tr_form_at(64), beyond = 0.0;
+    if (tr_seq_law.w == 1.0)
+        return max(length(way) - scale, 0.0);
+    if (tr_seq_law.w == 2.0) { // along the ray from the middle
+        highp vec2 far = vec2(radius.x > 0.0 ? way.x / (radius.x * scale) : 0.0,
+                              radius.y > 0.0 ? way.y / (radius.y * scale) : 0.0);
+        highp float size = length(far);
+        return size > 1.0 ? length(way) * (1.0 - 1.0 / size) : 0.0;
+    }
+    // The hull by the lines that touch it in 64 directions: at a corner it is off by a hundredth of the sides there.
+    for (int i = 0; i < 64; ++i) {
+        highp float angle = float(i) * (6.283185307179586 / 64.0);
+        beyond = max(beyond, dot(place, vec2(cos(angle), sin(angle))) - tr_form_at(i));
+    }
+    return beyond;
+}
+
 // Opacity that what is before the target is to have together; 1: no mask here. own: the target itself is here.
 highp float tr_mask_at(ivec2 pixel, out bool own, out highp float depth)
 {
@@ -59,8 +88,11 @@ highp float tr_mask_at(ivec2 pixel, out bool own, out highp float depth)
     own = square == 0;
     if (square < 0)
         return 1.0;
-    highp float beyond = max(sqrt(float(square)) - 1.0, 0.0), opacity = 1.0;
-    if (own)
+    highp float beyond = tr_seq_law.w > 0.0 ? tr_beyond_form(vec2(pixel) + 0.5) : max(sqrt(float(square)) - 1.0, 0.0);
+    // Pixels of the target lie on the form's very outline, but for rounding.
+    beyond = beyond > 1.0e-3 ? beyond : 0.0;
+    highp float opacity = 1.0;
+    if (own || (tr_seq_law.w > 0.0 && beyond <= 0.0))
         opacity = tr_seq_law.x;
     else if (tr_seq_law.z > 0.0)
         opacity = mix(tr_seq_law.y, 1.0, min(beyond / tr_seq_law.z, 1.0));

@@ -143,6 +143,7 @@ typedef struct trial {
     int divisor;
     unsigned where;
     double allowed, share; /* 255ths that all pixels but this share of them keep to */
+    ref_dyn_shape shape;
 } trial;
 
 typedef struct tally {
@@ -157,6 +158,7 @@ static void draw_trial(harness *h, stage *s, const trial *t, uint64_t seed) {
     s->truth.combine = t->combine;
     s->truth.occluders = t->occluders;
     s->truth.layers = t->layers;
+    s->truth.shape = t->shape;
     set_truth(s, t->see);
     tr_result result = stage_draw(h, s, t->where & REVERSED);
     if (result != TR_OK)
@@ -213,29 +215,30 @@ static void run_trial(const trial *t, uint64_t seeds) {
 #define TOGETHER REF_DYN_TOGETHER
 #define EACH REF_DYN_EACH
 #define FEW 2.5e-4
+#define OUTLINE REF_DYN_OUTLINE
 
 static void sequences_are_the_truth_by_centres(void **state) {
     static const trial trials[] = {
-        {"each", TR_SEE_SEQUENCE, SOLIDS, MIN_, EACH, 0, 1, GL33, 2, FEW},
-        {"product, each", TR_SEE_SEQUENCE, SOLIDS, PRODUCT, EACH, 0, 1, GL33, 2, FEW},
-        {"together", TR_SEE_SEQUENCE, SOLIDS, MIN_, TOGETHER, 0, 1, GL33, 2, FEW},
-        {"impenetrable", TR_SEE_SEQUENCE, IMPENETRABLES | BACKDROPS, MIN_, TOGETHER, 0, 1, GL33, 2, FEW},
-        {"groups", TR_SEE_SEQUENCE, GROUPS, MIN_, TOGETHER, 0, 1, GL33, 2, FEW},
-        {"hollow, each", TR_SEE_SEQUENCE, HOLLOWS, MIN_, EACH, 0, 1, GL33, 2, FEW},
-        {"hollow, together", TR_SEE_SEQUENCE, HOLLOWS, MIN_, TOGETHER, 0, 1, GL33, 2, FEW},
-        {"importances", TR_SEE_SEQUENCE, IMPORTANCES, MIN_, TOGETHER, 0, 1, GL33, 2, FEW},
-        {"lights", TR_SEE_SEQUENCE, LIGHTS, MIN_, TOGETHER, 0, 1, GL33, 2, FEW},
-        {"fades, each", TR_SEE_SEQUENCE, FADES, MIN_, EACH, 0, 1, GL33, 2, FEW},
-        {"one layer", TR_SEE_SEQUENCE, SOLIDS, MIN_, TOGETHER, 1, 1, GL33, 2, FEW},
-        {"two layers, each", TR_SEE_SEQUENCE, IMPENETRABLES, MIN_, EACH, 2, 1, GL33, 2, FEW},
-        {"divisor 2", TR_SEE_SEQUENCE, SOLIDS, MIN_, TOGETHER, 0, 2, GL33, 2, 0.005},
-        {"divisor 4", TR_SEE_SEQUENCE, SOLIDS, MIN_, EACH, 0, 4, GL33, 2, 0.005},
-        {"divisor 8", TR_SEE_SEQUENCE, SOLIDS, MIN_, EACH, 0, 8, GL33, 2, 0.012},
-        {"8 bits, each", TR_SEE_SEQUENCE, SOLIDS, MIN_, EACH, 0, 1, EIGHT_BITS, 2.5, FEW},
-        {"8 bits, together", TR_SEE_SEQUENCE, SOLIDS, MIN_, TOGETHER, 0, 1, EIGHT_BITS, 3, FEW},
-        {"reversed z", TR_SEE_SEQUENCE, IMPENETRABLES, MIN_, TOGETHER, 0, 1, REVERSED, 2, FEW},
-        {"ES 3.0", TR_SEE_SEQUENCE, IMPENETRABLES, MIN_, TOGETHER, 0, 1, ES, 2, FEW},
-        {"ES 3.0, 8 bits", TR_SEE_SEQUENCE, IMPENETRABLES, MIN_, TOGETHER, 2, 2, ES | EIGHT_BITS, 3, 0.005},
+        {"each", TR_SEE_SEQUENCE, SOLIDS, MIN_, EACH, 0, 1, GL33, 2, FEW, OUTLINE},
+        {"product, each", TR_SEE_SEQUENCE, SOLIDS, PRODUCT, EACH, 0, 1, GL33, 2, FEW, OUTLINE},
+        {"together", TR_SEE_SEQUENCE, SOLIDS, MIN_, TOGETHER, 0, 1, GL33, 2, FEW, OUTLINE},
+        {"impenetrable", TR_SEE_SEQUENCE, IMPENETRABLES | BACKDROPS, MIN_, TOGETHER, 0, 1, GL33, 2, FEW, OUTLINE},
+        {"groups", TR_SEE_SEQUENCE, GROUPS, MIN_, TOGETHER, 0, 1, GL33, 2, FEW, OUTLINE},
+        {"hollow, each", TR_SEE_SEQUENCE, HOLLOWS, MIN_, EACH, 0, 1, GL33, 2, FEW, OUTLINE},
+        {"hollow, together", TR_SEE_SEQUENCE, HOLLOWS, MIN_, TOGETHER, 0, 1, GL33, 2, FEW, OUTLINE},
+        {"importances", TR_SEE_SEQUENCE, IMPORTANCES, MIN_, TOGETHER, 0, 1, GL33, 2, FEW, OUTLINE},
+        {"lights", TR_SEE_SEQUENCE, LIGHTS, MIN_, TOGETHER, 0, 1, GL33, 2, FEW, OUTLINE},
+        {"fades, each", TR_SEE_SEQUENCE, FADES, MIN_, EACH, 0, 1, GL33, 2, FEW, OUTLINE},
+        {"one layer", TR_SEE_SEQUENCE, SOLIDS, MIN_, TOGETHER, 1, 1, GL33, 2, FEW, OUTLINE},
+        {"two layers, each", TR_SEE_SEQUENCE, IMPENETRABLES, MIN_, EACH, 2, 1, GL33, 2, FEW, OUTLINE},
+        {"divisor 2", TR_SEE_SEQUENCE, SOLIDS, MIN_, TOGETHER, 0, 2, GL33, 2, 0.005, OUTLINE},
+        {"divisor 4", TR_SEE_SEQUENCE, SOLIDS, MIN_, EACH, 0, 4, GL33, 2, 0.005, OUTLINE},
+        {"divisor 8", TR_SEE_SEQUENCE, SOLIDS, MIN_, EACH, 0, 8, GL33, 2, 0.012, OUTLINE},
+        {"8 bits, each", TR_SEE_SEQUENCE, SOLIDS, MIN_, EACH, 0, 1, EIGHT_BITS, 2.5, FEW, OUTLINE},
+        {"8 bits, together", TR_SEE_SEQUENCE, SOLIDS, MIN_, TOGETHER, 0, 1, EIGHT_BITS, 3, FEW, OUTLINE},
+        {"reversed z", TR_SEE_SEQUENCE, IMPENETRABLES, MIN_, TOGETHER, 0, 1, REVERSED, 2, FEW, OUTLINE},
+        {"ES 3.0", TR_SEE_SEQUENCE, IMPENETRABLES, MIN_, TOGETHER, 0, 1, ES, 2, FEW, OUTLINE},
+        {"ES 3.0, 8 bits", TR_SEE_SEQUENCE, IMPENETRABLES, MIN_, TOGETHER, 2, 2, ES | EIGHT_BITS, 3, 0.005, OUTLINE},
     };
     (void)state;
     for (size_t i = 0; i < sizeof trials / sizeof trials[0]; ++i)
@@ -244,11 +247,12 @@ static void sequences_are_the_truth_by_centres(void **state) {
 
 static void published_is_the_paper(void **state) {
     static const trial trials[] = {
-        {"published", TR_SEE_PUBLISHED, SOLIDS, PRODUCT, EACH, 0, 1, GL33, 2, FEW},
-        {"published, impenetrable", TR_SEE_PUBLISHED, IMPENETRABLES | BACKDROPS, PRODUCT, EACH, 0, 1, GL33, 2, FEW},
-        {"published, groups, 8 bits", TR_SEE_PUBLISHED, GROUPS, PRODUCT, EACH, 0, 1, EIGHT_BITS, 3, FEW},
-        {"published, layers", TR_SEE_PUBLISHED, SOLIDS, PRODUCT, EACH, 2, 1, GL33, 2, FEW},
-        {"published, divisor 4", TR_SEE_PUBLISHED, SOLIDS, PRODUCT, EACH, 0, 4, GL33, 2, 0.005},
+        {"published", TR_SEE_PUBLISHED, SOLIDS, PRODUCT, EACH, 0, 1, GL33, 2, FEW, OUTLINE},
+        {"published, impenetrable", TR_SEE_PUBLISHED, IMPENETRABLES | BACKDROPS, PRODUCT, EACH, 0, 1, GL33, 2, FEW,
+         OUTLINE},
+        {"published, groups, 8 bits", TR_SEE_PUBLISHED, GROUPS, PRODUCT, EACH, 0, 1, EIGHT_BITS, 3, FEW, OUTLINE},
+        {"published, layers", TR_SEE_PUBLISHED, SOLIDS, PRODUCT, EACH, 2, 1, GL33, 2, FEW, OUTLINE},
+        {"published, divisor 4", TR_SEE_PUBLISHED, SOLIDS, PRODUCT, EACH, 0, 4, GL33, 2, 0.005, OUTLINE},
     };
     (void)state;
     for (size_t i = 0; i < sizeof trials / sizeof trials[0]; ++i)
@@ -257,34 +261,165 @@ static void published_is_the_paper(void **state) {
 
 static void exact_is_the_truth_per_pixel(void **state) {
     static const trial trials[] = {
-        {"exact", TR_SEE_EXACT, SOLIDS, MIN_, TOGETHER, 0, 1, GL33, 2, FEW},
-        {"exact, each", TR_SEE_EXACT, SOLIDS, MIN_, EACH, 0, 1, GL33, 2, FEW},
-        {"exact, product", TR_SEE_EXACT, SOLIDS, PRODUCT, TOGETHER, 0, 1, GL33, 2, FEW},
-        {"exact, impenetrable", TR_SEE_EXACT, IMPENETRABLES | BACKDROPS, MIN_, TOGETHER, 0, 1, GL33, 2, FEW},
-        {"exact, importances", TR_SEE_EXACT, IMPORTANCES | IMPENETRABLES, MIN_, TOGETHER, 0, 1, GL33, 2, FEW},
-        {"exact, hollow", TR_SEE_EXACT, HOLLOWS, MIN_, TOGETHER, 0, 1, GL33, 2, FEW},
-        {"exact, lights", TR_SEE_EXACT, LIGHTS, MIN_, TOGETHER, 0, 1, GL33, 2, FEW},
-        {"exact, fades", TR_SEE_EXACT, FADES, MIN_, TOGETHER, 0, 1, GL33, 2, FEW},
-        {"exact, one layer", TR_SEE_EXACT, SOLIDS, MIN_, TOGETHER, 1, 1, GL33, 2, FEW},
-        {"exact, three layers", TR_SEE_EXACT, IMPENETRABLES, MIN_, EACH, 3, 1, GL33, 2, FEW},
-        {"exact, two layers, together", TR_SEE_EXACT, IMPENETRABLES, MIN_, TOGETHER, 2, 1, GL33, 2, FEW},
-        {"exact, divisor 2", TR_SEE_EXACT, SOLIDS, MIN_, TOGETHER, 0, 2, GL33, 2, 0.005},
-        {"exact, 8 bits", TR_SEE_EXACT, SOLIDS, MIN_, TOGETHER, 0, 1, EIGHT_BITS, 2.5, FEW},
-        {"exact, reversed z", TR_SEE_EXACT, IMPENETRABLES, MIN_, TOGETHER, 0, 1, REVERSED, 2, FEW},
-        {"exact, ES 3.0, 8 bits", TR_SEE_EXACT, HOLLOWS, PRODUCT, TOGETHER, 0, 1, ES | EIGHT_BITS, 3, FEW},
-        {"exact, ES 3.0", TR_SEE_EXACT, IMPENETRABLES, MIN_, EACH, 0, 1, ES, 2, FEW},
+        {"exact", TR_SEE_EXACT, SOLIDS, MIN_, TOGETHER, 0, 1, GL33, 2, FEW, OUTLINE},
+        {"exact, each", TR_SEE_EXACT, SOLIDS, MIN_, EACH, 0, 1, GL33, 2, FEW, OUTLINE},
+        {"exact, product", TR_SEE_EXACT, SOLIDS, PRODUCT, TOGETHER, 0, 1, GL33, 2, FEW, OUTLINE},
+        {"exact, impenetrable", TR_SEE_EXACT, IMPENETRABLES | BACKDROPS, MIN_, TOGETHER, 0, 1, GL33, 2, FEW, OUTLINE},
+        {"exact, importances", TR_SEE_EXACT, IMPORTANCES | IMPENETRABLES, MIN_, TOGETHER, 0, 1, GL33, 2, FEW, OUTLINE},
+        {"exact, hollow", TR_SEE_EXACT, HOLLOWS, MIN_, TOGETHER, 0, 1, GL33, 2, FEW, OUTLINE},
+        {"exact, lights", TR_SEE_EXACT, LIGHTS, MIN_, TOGETHER, 0, 1, GL33, 2, FEW, OUTLINE},
+        {"exact, fades", TR_SEE_EXACT, FADES, MIN_, TOGETHER, 0, 1, GL33, 2, FEW, OUTLINE},
+        {"exact, one layer", TR_SEE_EXACT, SOLIDS, MIN_, TOGETHER, 1, 1, GL33, 2, FEW, OUTLINE},
+        {"exact, three layers", TR_SEE_EXACT, IMPENETRABLES, MIN_, EACH, 3, 1, GL33, 2, FEW, OUTLINE},
+        {"exact, two layers, together", TR_SEE_EXACT, IMPENETRABLES, MIN_, TOGETHER, 2, 1, GL33, 2, FEW, OUTLINE},
+        {"exact, divisor 2", TR_SEE_EXACT, SOLIDS, MIN_, TOGETHER, 0, 2, GL33, 2, 0.005, OUTLINE},
+        {"exact, 8 bits", TR_SEE_EXACT, SOLIDS, MIN_, TOGETHER, 0, 1, EIGHT_BITS, 2.5, FEW, OUTLINE},
+        {"exact, reversed z", TR_SEE_EXACT, IMPENETRABLES, MIN_, TOGETHER, 0, 1, REVERSED, 2, FEW, OUTLINE},
+        {"exact, ES 3.0, 8 bits", TR_SEE_EXACT, HOLLOWS, PRODUCT, TOGETHER, 0, 1, ES | EIGHT_BITS, 3, FEW, OUTLINE},
+        {"exact, ES 3.0", TR_SEE_EXACT, IMPENETRABLES, MIN_, EACH, 0, 1, ES, 2, FEW, OUTLINE},
     };
     (void)state;
     for (size_t i = 0; i < sizeof trials / sizeof trials[0]; ++i)
         run_trial(&trials[i], 10);
 }
 
+/* A pixel of the outline on which rasteriser and ray disagree moves all of its circle. */
+static void shapes_are_the_truth(void **state) {
+    static const trial trials[] = {
+        {"sequence, circle", TR_SEE_SEQUENCE, SOLIDS, MIN_, TOGETHER, 0, 1, GL33, 2, 0.005, REF_DYN_CIRCLE},
+        {"sequence, ellipse", TR_SEE_SEQUENCE, IMPENETRABLES, MIN_, EACH, 0, 2, ES, 2, 0.005, REF_DYN_ELLIPSE},
+        {"sequence, hull", TR_SEE_SEQUENCE, SOLIDS, MIN_, EACH, 0, 1, EIGHT_BITS, 2.5, 0.01, REF_DYN_HULL},
+        {"published, circle", TR_SEE_PUBLISHED, IMPENETRABLES, PRODUCT, EACH, 0, 1, GL33, 2, 0.005, REF_DYN_CIRCLE},
+        {"exact, circle", TR_SEE_EXACT, IMPENETRABLES, MIN_, TOGETHER, 0, 1, GL33, 2, 0.005, REF_DYN_CIRCLE},
+        {"exact, ellipse", TR_SEE_EXACT, SOLIDS, MIN_, TOGETHER, 0, 1, REVERSED, 2, 0.005, REF_DYN_ELLIPSE},
+        {"exact, hull", TR_SEE_EXACT, SOLIDS, MIN_, TOGETHER, 0, 1, ES, 2, 0.01, REF_DYN_HULL},
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof trials / sizeof trials[0]; ++i)
+        run_trial(&trials[i], 6);
+}
+
+/* ---- what is promised ---- */
+
+/* With targets white and all else black a pixel is the weight of its targets. 8 bits: 2 / 255 for rounding; see FEW. */
+static void farthest_targets_keep_their_weight(void **state) {
+    static const tr_see sees[] = {TR_SEE_EXACT, TR_SEE_SEQUENCE, TR_SEE_PUBLISHED};
+    static const char *const names[] = {"exact", "sequence", "published"};
+    harness h;
+    (void)state;
+    harness_open(&h, 330, false, NULL);
+    harness_target(&h, 64, 56);
+    stage *s = stage_new(64, 56);
+    for (int k = 0; k < 3; ++k)
+        s->scene.background[k] = 0;
+    for (int rung = 0; rung < 3; ++rung) {
+        size_t pixels = 0, below = 0;
+        double least = 1;
+        for (uint64_t seed = 100; seed < 200; ++seed) {
+            stage_clean(s);
+            scatter(s, seed, 14, 1 + seed % 6, seed % 2 ? IMPENETRABLES : SOLIDS);
+            for (size_t i = 0; i < s->count; ++i)
+                for (int k = 0; k < 3; ++k)
+                    s->meshes[i].color[k] = s->marks[i].flags & REF_DYN_TARGET ? 1 : 0;
+            set_truth(s, sees[rung]);
+            assert_int_equal(stage_draw(&h, s, false), TR_OK);
+            stage_read(&h, s);
+            s->truth.order = REF_DYN_PER_PIXEL; /* which pixels have an open target is no matter of the order */
+            stage_truth(s);
+            for (size_t i = 0; i < 64 * 56; ++i)
+                if (s->pixels[i].target && !s->pixels[i].left_out) {
+                    double weight = s->picture[4 * i] / 255.0;
+                    ++pixels;
+                    below += weight < 0.7 - 2 / 255.0;
+                    least = fmin(least, weight);
+                }
+        }
+        printf("    %-10s least weight of targets %.3f, %zu of %zu pixels below 0.7\n", names[rung], least, below,
+               pixels);
+        assert_true(pixels > 10000);
+        if (rung == 0)
+            assert_true((double)below <= FEW * (double)pixels);
+    }
+    stage_free(s);
+    harness_close(&h);
+}
+
+/* More walls than there are layers: the target keeps its weight, and the plan says that there may be more. */
+static void layers_too_many_lose_no_target(void **state) {
+    harness h;
+    const double ball[3] = {0.6, 0.6, 0.6}, target[3] = {0, 0, -6};
+    (void)state;
+    harness_open(&h, 330, false, NULL);
+    harness_target(&h, 64, 56);
+    stage *s = stage_new(64, 56);
+    stage_look(s, 12, 0, 0);
+    size_t white = stage_box(s, REF_DYN_TARGET, target, ball, 0.5);
+    for (int i = 0; i < 40; ++i)
+        stage_sheet(s, 0, -3, -3, 3, 3, -5 + 0.25 * i);
+    for (size_t i = 0; i < s->count; ++i)
+        for (int k = 0; k < 3; ++k)
+            s->meshes[i].color[k] = i == white;
+    for (int k = 0; k < 3; ++k)
+        s->scene.background[k] = 0;
+    set_truth(s, TR_SEE_EXACT);
+    assert_int_equal(stage_draw(&h, s, false), TR_OK);
+    const tr_see_plan *plan = tr_get_info(h.tr).see_plan;
+    assert_true(plan->layers == 16 && plan->layer_bound > plan->layers);
+    stage_read(&h, s);
+    const unsigned char *middle = s->picture + 4 * (28 * 64 + 32);
+    printf("    behind 40 walls: %d / 255\n", middle[0]);
+    assert_true(abs(middle[0] - 179) <= 2); /* 0.7 */
+    stage_free(s);
+    harness_close(&h);
+}
+
+/* Targets side by side behind one wall take one run of masks; what is not called for is not done. */
+static void only_what_is_called_for(void **state) {
+    harness h;
+    (void)state;
+    harness_open(&h, 330, false, NULL);
+    harness_target(&h, 160, 60);
+    for (int rung = 0; rung < 2; ++rung) {
+        tr_see see = rung ? TR_SEE_EXACT : TR_SEE_SEQUENCE;
+        stage *s = stage_new(160, 60);
+        stage_look(s, 12, 0, 0);
+        s->truth.width = 4;
+        s->truth.occluders = REF_DYN_EACH;
+        s->wish.mask_divisor = 1;
+        set_truth(s, see);
+        for (int i = 0; i < 4; ++i) {
+            const double ball[3] = {0.3, 0.3, 0.3}, middle[3] = {8.0 * i - 12, 0, -2};
+            stage_box(s, REF_DYN_TARGET, middle, ball, 0.3);
+        }
+        assert_int_equal(stage_draw(&h, s, false), TR_OK); /* nothing before them */
+        assert_int_equal(tr_get_info(h.tr).see_plan->see, TR_SEE_OFF);
+        assert_true(s->passes[TR_PASS_SCENE] == 1 && s->draws[TR_PASS_SCENE] == 4);
+        stage_sheet(s, 0, -20, -3, 20, 3, 1);
+        assert_int_equal(stage_draw(&h, s, false), TR_OK);
+        assert_int_equal(tr_get_info(h.tr).see_plan->runs, 1);
+        assert_true(s->passes[TR_PASS_SEEDS] == 1 && s->draws[TR_PASS_SEEDS] == 4);
+        assert_int_equal(s->passes[TR_PASS_BLOCK], 0);
+        assert_int_equal(s->passes[TR_PASS_COUNT], 0);
+        s->marks[4].flags = REF_DYN_IMPENETRABLE;
+        assert_int_equal(stage_draw(&h, s, false), TR_OK); /* nothing yields */
+        assert_int_equal(tr_get_info(h.tr).see_plan->see, TR_SEE_OFF);
+        s->marks[4].flags = 0;
+        s->units[3].unit.id = 0;
+        s->meshes[3].id = s->meshes[4].id; /* a target and a wall */
+        h.quiet = true;
+        assert_int_equal(stage_draw(&h, s, false), see == TR_SEE_EXACT ? TR_INVALID_ARGUMENT : TR_OK);
+        h.quiet = false;
+        stage_free(s);
+    }
+    harness_close(&h);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(sequence_of_two_walls),
-        cmocka_unit_test(sequences_are_the_truth_by_centres),
-        cmocka_unit_test(published_is_the_paper),
-        cmocka_unit_test(exact_is_the_truth_per_pixel),
+        cmocka_unit_test(sequence_of_two_walls),          cmocka_unit_test(sequences_are_the_truth_by_centres),
+        cmocka_unit_test(published_is_the_paper),         cmocka_unit_test(exact_is_the_truth_per_pixel),
+        cmocka_unit_test(shapes_are_the_truth),           cmocka_unit_test(farthest_targets_keep_their_weight),
+        cmocka_unit_test(layers_too_many_lose_no_target), cmocka_unit_test(only_what_is_called_for),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -532,6 +532,87 @@ static void test_headroom(void **state) {
     free(s);
 }
 
+/* ---- layers by framebuffer fetch ---- */
+
+/* Ties at the border of a pass: 20 sheets alike in all, among others of the same depth and of others, in any order. */
+static void test_fetched_ties(void **state) {
+    (void)state;
+    oit_scene *s = malloc(sizeof *s);
+    size_t order[64];
+    uint32_t random = 11;
+    setting t;
+    open_setting(&t, false, 16, 16);
+    for (int blend = 0; blend < 2; ++blend) {
+        oit_desc desc = {.store = OIT_STORE_FETCH, .fields = blend ? OIT_FIELD_BLEND : OIT_FIELD_PART};
+        oit_context *oit = make_oit(&t, desc);
+        oit_scene_init(s, 16, 16);
+        oit_scene_sheets(s, 9, 0.2, true);
+        for (int k = 0; k < 32; ++k) {
+            const double z[4] = {0.1, 0.1, 0.1, 0.1};
+            const double color[4] = {k < 20 ? 0.5 : oit_scene_random(&random), 0.3, 0.7, 0.05};
+            size_t at = oit_scene_quad(s, -1, -1, 1, 1, z, color);
+            s->objects[at].part = k < 20 ? 3 : (uint32_t)k % 3;
+            s->objects[at].blend = k < 20 ? OIT_BLEND_OVER : (uint32_t)k % 3;
+        }
+        float *expected = exact_picture(&t, s, desc);
+        for (int run = 0; run < 5; ++run) {
+            shuffle(order, s->count, &random);
+            float *picture = draw(&t, oit, s, run ? order : NULL, 0);
+            assert_true(same(&t, expected, picture));
+            assert_int_equal(last_report(oit).bands, 6);
+            free(picture);
+        }
+        free(expected);
+        oit_scene_drop(s);
+        oit_destroy(oit);
+    }
+    close_setting(&t);
+    free(s);
+}
+
+/* Without waiting, and more layers than in the frame before: the seven nearest are there, the others are counted. */
+static void test_fetch_async_loses_the_farthest(void **state) {
+    (void)state;
+    oit_scene *s = malloc(sizeof *s);
+    size_t order[16];
+    uint32_t random = 5;
+    setting t;
+    oit_desc desc = {.store = OIT_STORE_FETCH, .fit = OIT_FIT_ASYNC};
+    open_setting(&t, false, 32, 16);
+    for (int run = 0; run < 4; ++run) {
+        oit_context *oit = make_oit(&t, desc);
+        oit_scene_init(s, 32, 16);
+        for (int k = 0; k < 7; ++k) {
+            const double z = -0.9 + 0.1 * k, zs[4] = {z, z, z, z}, color[4] = {0.1 * k, 0.5, 0.9 - 0.1 * k, 0.2};
+            oit_scene_quad(s, -1, -1, 1, 1, zs, color);
+        }
+        float *seven = exact_picture(&t, s, desc);
+        for (int k = 0; k < 3; ++k) {
+            const double z = 0.1 * k, zs[4] = {z, z, z, z}, color[4] = {1, 0.1 * k, 0, 0.4};
+            oit_scene_quad(s, -1, -1, 0, 1, zs, color);
+        }
+        shuffle(order, s->count, &random);
+        float *picture = draw(&t, oit, s, order, 0);
+        oit_report report = last_report(oit);
+        assert_int_equal(report.lost_pixels, 256);
+        assert_int_equal(report.lost, 3 * 256);
+        assert_int_equal(report.deepest, 10);
+        assert_true(same(&t, seven, picture));
+        free(picture);
+        free(seven);
+        float *expected = exact_picture(&t, s, desc);
+        picture = draw(&t, oit, s, order, 0);
+        assert_int_equal(last_report(oit).lost, 0);
+        assert_true(same(&t, expected, picture));
+        free(picture);
+        free(expected);
+        oit_scene_drop(s);
+        oit_destroy(oit);
+    }
+    close_setting(&t);
+    free(s);
+}
+
 /* ---- when there is nothing to go by ---- */
 
 /* oit_frame.cut: the frame is counted first, and nothing is lost however much it differs. Without it this one loses. */
@@ -653,6 +734,8 @@ int main(void) {
         cmocka_unit_test(test_tail_does_not_overflow),
         cmocka_unit_test(test_predict_follows_motion),
         cmocka_unit_test(test_headroom),
+        cmocka_unit_test(test_fetched_ties),
+        cmocka_unit_test(test_fetch_async_loses_the_farthest),
         cmocka_unit_test(test_cut_counts_first),
         cmocka_unit_test(test_resizes_and_broken_frames),
         cmocka_unit_test(test_bands_and_slabs),

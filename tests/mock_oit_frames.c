@@ -629,6 +629,7 @@ static void test_barriers(void **state) {
                 assert_true(passes >= (descs[i].store == OIT_STORE_EXACT ? 2 : 1));
                 driver.finished = driver.now;
             }
+            driver.call_count = 0; /* nobody looks back as far */
             oit_destroy(oit);
             assert_int_equal(driver.violations, 0);
         }

@@ -1,8 +1,8 @@
 #!/bin/sh
 # test_host.sh [HOST] [FOLDER]
 #
-# Puts transparency.h into the engine of examples/host by docs/host_transparency.diff, and oit_buffers.h by
-# docs/host_oit.diff, each in a copy, and holds what docs/integration.md says of them: how many lines change; that frames
+# Puts transparency.h into the engine of examples/host by docs/host_transparency.diff, its dynamic transparency by
+# docs/host_dynamic.diff, and oit_buffers.h by docs/host_oit.diff, each in a copy, and holds what docs/integration.md says of them: how many lines change; that frames
 # without machines are, in all of the engine's targets, what they were; that frames with machines show the hulls' insides;
 # that the engine's state cache finds nothing changed, and would find it. Run it from the top of the repository; HOST, by
 # default build/host, is the engine without the headers.
@@ -60,18 +60,23 @@ careless() {
         "$work/$1_careless.out" "$work/careless.png" "$work/careless.log"
 }
 
+# apply NAME DIFF: the engine with a diff of docs/ in $work/NAME, and the program $work/NAME.out
+apply() {
+    mkdir -p "$work/$1"
+    cp examples/host/*.[ch] "$work/$1/"
+    added=$(grep -v '^+++' "$2" | grep -c '^+')
+    taken=$(grep -v '^---' "$2" | grep -c '^-')
+    echo "test_host: $2 adds or changes $added lines, $taken of them in place of others"
+    check "$1: at most 60 lines change" [ "$added" -le 60 ]
+    check "$1: no more lines go than come" [ "$taken" -le "$added" ]
+    check "$1: the diff applies" patch -s -p3 -d "$work/$1" <"$2"
+    check "$1: the engine builds with the header" build "$1"
+}
+
 # put_in NAME DIFF EXPRESSION: builds and runs the engine with a header
 put_in() {
-    name=$1 diff=$2
-    mkdir -p "$work/$name"
-    cp examples/host/*.[ch] "$work/$name/"
-    added=$(grep -v '^+++' "$diff" | grep -c '^+')
-    taken=$(grep -v '^---' "$diff" | grep -c '^-')
-    echo "test_host: $diff adds or changes $added lines, $taken of them in place of others"
-    check "$name: at most 60 lines change" [ "$added" -le 60 ]
-    check "$name: no more lines go than come" [ "$taken" -le "$added" ]
-    check "$name: the diff applies" patch -s -p3 -d "$work/$name" <"$diff"
-    check "$name: the engine builds with the header" build "$name"
+    name=$1
+    apply "$1" "$2"
     careless "$name" "$3"
     check "$name: the state cache is right" draw "$work/$name.out" "$name"
     check "$name, quiet place: the state cache is right" draw "$work/$name.out" "${name}_quiet" --quiet-place
@@ -95,6 +100,24 @@ check 'before: the state cache is right' draw "$host" before
 check 'before, quiet place: the state cache is right' draw "$host" before_quiet --quiet-place
 put_in transparency docs/host_transparency.diff 's/{\.reversed_z = 1}/{.reversed_z = 1, .state = TR_STATE_LEAVE_DIRTY}/'
 put_in oit docs/host_oit.diff 's/{\.reversed_z = 1}/{.reversed_z = 1, .state = OIT_STATE_LEAVE_DIRTY}/'
+
+# Dynamic transparency: soldiers behind the wall and the trees are seen through holes in what is before them.
+apply seen docs/host_dynamic.diff
+check 'seen: the state cache is right' draw "$work/seen.out" seen
+check 'seen, quiet place: the state cache is right' draw "$work/seen.out" seen_quiet --quiet-place
+for target in normal id depth picture; do
+    check "seen, quiet place: $target is what it was, bit for bit" same before_quiet.$target seen_quiet.$target
+done
+# soldiers PREFIX: samples that show one of the eight soldiers, whose numbers are the last eight that there are
+soldiers() {
+    od -An -v -tu2 -w2 "$work/$1.id" | awk '{ count[$1]++; if ($1 > most) most = $1 }
+        END { for (id = most - 7; id <= most; id++) sum += count[id]; print sum + 0 }'
+}
+before=$(soldiers before) seen=$(soldiers seen)
+echo "test_host: soldiers are seen in $before samples without, in $seen with dynamic transparency"
+check 'seen: more than twice as much of the soldiers' [ "$seen" -gt $((2 * before)) ]
+changed=$(differing before.normal seen.normal 0)
+check 'seen: normals change where there are holes, and nowhere else' [ "$changed" -gt 1000 -a "$changed" -lt 60000 ]
 
 echo "test_host: $passed passed, $failed failed"
 [ "$failed" -eq 0 ]

@@ -115,15 +115,6 @@ static bool dump_oit_stage(const char *folder, const char *name, const char *suf
     return fclose(file) == 0;
 }
 
-/* Some are made for what was chosen alone. */
-static bool is_made(int program, const oit_desc *desc) {
-    if (program == OIT_I_PROGRAM_KEEP || program == OIT_I_PROGRAM_ARRANGE)
-        return oit_i_keeps(desc);
-    if (program >= OIT_I_PROGRAM_SAMPLED && program < OIT_I_PROGRAM_PICK)
-        return (desc->fields & OIT_FIELD_COVERAGE) != 0;
-    return true;
-}
-
 /* Every program of oit_buffers.h, and what hosts get, for one choice of what is stored. */
 static bool dump_oit(const char *folder, int choice, oit_desc desc, bool es) {
     static char preamble[OIT_I_MAX_PREAMBLE], scratch[OIT_I_NETWORK_CAPACITY];
@@ -134,7 +125,7 @@ static bool dump_oit(const char *folder, int choice, oit_desc desc, bool es) {
     if (desc.store == OIT_STORE_FETCH) /* which oit_create finds out */
         strcat(preamble, "#define OIT_FETCHED 7\n");
     for (int program = 0; program < (desc.operators ? OIT_I_PROGRAMS : OIT_I_PROGRAM_SORT); ++program)
-        for (int stage = 0; is_made(program, &desc) && stage < (oit_i_is_compute(program) ? 1 : 2); ++stage) {
+        for (int stage = 0; stage < (oit_i_is_compute(program) ? 1 : 2); ++stage) {
             if (!oit_i_has_program(&desc, program))
                 continue;
             oit_i_source source;
