@@ -2506,7 +2506,7 @@ static const char *const oit_i_shader_oit_operator_jump_comp[] = {
     "    bool column = OIT_STEP.x != 0u, changed = false;\n"
     "    if (at == uvec2(0u))\n"
     "        oit_surface[4u + (OIT_STEP.y + 1u & 3u)] = 0u;\n"
-    "    uvec2 start = column ? uvec2(at.x, at.y * oit_reach) : uvec2(at.x * oit_reach, at.y);\n"
+    "    uvec2 start = column ? uvec2(at.x, at.y * oit_reach) : uvec2(at.y * oit_reach, at.x); // x is what is long\n"
     "    if (any(greaterThanEqual(start, size)) || oit_is_stable())\n"
     "        return;\n"
     "    uint p = start.y * size.x + start.x, stride = column ? size.x : 1u;\n"
@@ -2661,7 +2661,7 @@ static const char *const oit_i_shader_oit_operator_size_comp[] = {
     "{\n"
     "    uvec2 size = uvec2(oit_area.zw), at = gl_GlobalInvocationID.xy;\n"
     "    bool column = OIT_STEP.x != 0u;\n"
-    "    uvec2 start = column ? uvec2(at.x, at.y * oit_reach) : uvec2(at.x * oit_reach, at.y);\n"
+    "    uvec2 start = column ? uvec2(at.x, at.y * oit_reach) : uvec2(at.y * oit_reach, at.x); // x is what is long\n"
     "    if (any(greaterThanEqual(start, size)))\n"
     "        return;\n"
     "    uint p = start.y * size.x + start.x, stride = column ? size.x : 1u, section = column ? OIT_EXTRA_STEP.z : OIT_IN_SIZES;\n"
@@ -6987,7 +6987,7 @@ static int oit_i_chain_weights(int steps, double weight, float out[16]) {
             next[k] = w[k] + weight * (w[k ? k - 1 : 1] - 2.0 * w[k] + w[k + 1]);
         memcpy(w, next, 16 * sizeof w[0]);
     }
-    while (reach > 1 && tail + 2.0 * w[reach] < 2e-3)
+    while (reach > 1 && tail + 2.0 * w[reach] < 1e-2)
         tail += 2.0 * w[reach--];
     for (k = 0; k <= reach; ++k)
         sum += (k ? 2.0 : 1.0) * w[k];
@@ -7175,10 +7175,10 @@ static void oit_i_fill_operation(const oit_context *oit, oit_state *state) {
     oit_i_number_stage(oit, stage, oit->stage_step, &numbers);
     state->program = stage->program == OIT_I_PROGRAM_HOST ? oit->host_program : oit->programs[stage->program];
     state->storage_buffers[2] = oit->buffers[OIT_I_SURFACE];
-    size[0] = oit->frame.width;
-    size[1] = oit->frame.height;
-    if (along)
-        size[k] = (size[k] + OIT_I_JUMP_REACH - 1) / OIT_I_JUMP_REACH;
+    size[0] = along && !k ? oit->frame.height : oit->frame.width;
+    size[1] = along && !k ? oit->frame.width : oit->frame.height;
+    if (along) /* across x, along y, so that few columns of a narrow image leave no work items idle */
+        size[1] = (size[1] + OIT_I_JUMP_REACH - 1) / OIT_I_JUMP_REACH;
     for (i = 0; i < 2; ++i)
         state->groups[i] = (oit_i_u)((size[i] + 7) / 8);
     state->groups[2] = 1;
