@@ -460,6 +460,31 @@ static void test_fields(void **state) {
     oit_setting_close(&t);
 }
 
+/* An edge along the rows: the first pass, along rows, changes nothing, and the columns still have to come. */
+static void test_stable_after_columns(void **state) {
+    static const double color[4] = {1, 1, 1, 0.5}, depths[4] = {0, 0, 0, 0};
+    oit_setting t;
+    oit_scene s;
+    (void)state;
+    oit_setting_open(&t, false, 8, 40, 0, GL_RGBA32F, every_operator());
+    oit_scene_init(&s, 8, 40);
+    s.scene.projection[10] = -1;
+    oit_scene_quad(&s, -2, -2, 2, 0.5, depths, color); /* up to row 29 */
+    oit_frame frame = frame_of(&s, &t);
+    oit_operator op = smart_operator(25, 0.02f);
+    op.smart.jumps = op.smart.until_stable = 1;
+    begin(&t, &s, &frame);
+    run(&t, link_operator());
+    run(&t, op);
+    seen g = look(t.oit);
+    for (size_t y = 5; y < 30; ++y)
+        assert_int_equal(word_at(&g, OIT_I_AT_REACH, g.slots[8 * y + 3]) & 65535u, 29 - y);
+    forget(&g);
+    finish(&t);
+    oit_scene_drop(&s);
+    oit_setting_close(&t);
+}
+
 /* lambda from 0 to 1, many steps: in [0,1], and nothing that alternates from pixel to pixel grows. */
 static void test_fields_stay_in_range(void **state) {
     static const float lambdas[] = {-1, 0.1f, 0.25f, 0.5f, 1}; /* negative: 0 */
@@ -850,12 +875,19 @@ static void test_thin(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_links),      cmocka_unit_test(test_pairs_looked_at),
-        cmocka_unit_test(test_ties),       cmocka_unit_test(test_wide_links),
-        cmocka_unit_test(test_fields),     cmocka_unit_test(test_fields_stay_in_range),
-        cmocka_unit_test(test_curvature),  cmocka_unit_test(test_curvature_of_a_sphere),
-        cmocka_unit_test(test_laws),       cmocka_unit_test(test_pictures),
-        cmocka_unit_test(test_state_none), cmocka_unit_test(test_host_operators),
+        cmocka_unit_test(test_links),
+        cmocka_unit_test(test_pairs_looked_at),
+        cmocka_unit_test(test_ties),
+        cmocka_unit_test(test_wide_links),
+        cmocka_unit_test(test_fields),
+        cmocka_unit_test(test_stable_after_columns),
+        cmocka_unit_test(test_fields_stay_in_range),
+        cmocka_unit_test(test_curvature),
+        cmocka_unit_test(test_curvature_of_a_sphere),
+        cmocka_unit_test(test_laws),
+        cmocka_unit_test(test_pictures),
+        cmocka_unit_test(test_state_none),
+        cmocka_unit_test(test_host_operators),
         cmocka_unit_test(test_thin),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
