@@ -2299,14 +2299,20 @@ static const char *const oit_i_shader_oit_operator_connect_comp[] = {
     "    return i < n ? oit_apart(side, oit_record(first + i)) : OIT_NEVER;\n"
     "}\n"
     "\n"
+    "// In the order of the slots; oit_set[1].y is -1 where the eye looks along +z, whose distances fall from the eye on.\n"
+    "bool oit_comes_before(uint slot, oit_side side)\n"
+    "{\n"
+    "    return oit_distance(oit_depth(slot)) * oit_set[1].y < side.predicted * oit_set[1].y;\n"
+    "}\n"
+    "\n"
     "// The same, from the predicted depth outward on both sides, the nearer gap first, until the gap alone weighs more than the\n"
     "// best so far. `from` is where the search of the fragment before began; surfaces mostly keep their order, so that the\n"
     "// place is near.\n"
     "uint oit_best_within(oit_side side, uint first, uint n, inout uint from)\n"
     "{\n"
-    "    while (from < n && oit_distance(oit_depth(first + from)) < side.predicted)\n"
+    "    while (from < n && oit_comes_before(first + from, side))\n"
     "        ++from;\n"
-    "    while (from > 0u && !(oit_distance(oit_depth(first + from - 1u)) < side.predicted))\n"
+    "    while (from > 0u && !oit_comes_before(first + from - 1u, side))\n"
     "        --from;\n"
     "    uint before = from - 1u, behind = from, best = OIT_NONE; // before: beyond n when it has passed 0\n"
     "    float gap_before = oit_gap(side, first, n, before), gap_behind = oit_gap(side, first, n, behind), least = OIT_NEVER;\n"
@@ -7005,6 +7011,7 @@ static void oit_i_number_connect(const oit_context *oit, int step, oit_i_numbers
     const oit_link *link = &oit->link;
     int windowed = link->search == OIT_SEARCH_WINDOWED;
     float infinite = (float)(1e300 * 1e300);
+    double t[4];
     n->at[4][0] = windowed ? 0u : (oit_i_u)step;
     n->at[4][1] = windowed ? 4u : (oit_i_u)step + 1u;
     n->at[4][2] = (oit_i_u)link->criterion;
@@ -7014,6 +7021,8 @@ static void oit_i_number_connect(const oit_context *oit, int step, oit_i_numbers
     n->set[0][2] = 1.0f / link->radius;
     n->set[0][3] = link->limit < 0.0f || link->criterion == OIT_LINK_PUBLISHED ? infinite : link->limit;
     n->set[1][0] = link->no_reverse_check ? 1.0f : 0.0f;
+    oit_i_distance_terms(&oit->frame, oit->frame.zero_to_one, t);
+    n->set[1][1] = (t[1] * t[2] < t[0] * t[3]) == !oit->desc.reversed_z ? -1.0f : 1.0f;
 }
 
 static void oit_i_number_solve(const oit_context *oit, const oit_i_stage *stage, int step, oit_i_numbers *n) {

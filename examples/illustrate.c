@@ -18,6 +18,7 @@
 #include "load_model.h"
 #include "models.h"
 #include "scene.h"
+#include "transfer_image.h"
 #include "write_png.h"
 
 #define ILLUSTRATE_VERSION "0.2.0"
@@ -39,7 +40,9 @@ static const char *const HELP[] = {
     "  --style STYLE            auto (default): hodges where something is or can be transparent, else opaque;\n"
     "                           hodges: parts that enclose others, or are see-through in the file, are transparent by\n"
     "                           Hodges' rules; glass: the same parts, with every layer seen through the others, lines\n"
-    "                           among them (OpenGL 4.3 or ES 3.1); lines: ink on paper, hidden lines left out; opaque: nothing transparent\n"
+    "                           among them (OpenGL 4.3 or ES 3.1); smart: glass whose silhouettes show through, with\n"
+    "                           halos; curvature: glass that is clear where it is flat, shaded by its curvature; lines:\n"
+    "                           ink on paper, hidden lines left out; opaque: nothing transparent\n"
     "  --size WxH               pixels, 1x1 to 16384x16384; default 1024x768\n"
     "  --view AZIMUTH,ELEVATION degrees; 0,0 looks at the front, 90,0 at the right side; default 30,20\n"
     "  --ortho                  parallel lines stay parallel\n"
@@ -70,6 +73,14 @@ static const char *const HELP[] = {
     "  --glass LAW[:OPACITY]    constant (default): each layer of --style glass hides OPACITY, 0 to 1, default 0.3;\n"
     "                           adaptive: all layers of a pixel do together, however many; default 0.7. Parts that are\n"
     "                           see-through in the file keep their own\n"
+    "  --law LAW[:OPACITY]      --style smart and curvature, what a layer starts with: adaptive (default, 0.6), all\n"
+    "                           layers of a pixel together; constant; angle and variation, more where the surface turns\n"
+    "                           away or bends; distance, more near silhouettes; given: as in the file. Default 0.3\n"
+    "  --iterations N           --style smart: pixels over which silhouettes fade, 1 to 500; default 20\n"
+    "  --halo N                 --style smart: the same of halos, 0 to 500; default 5\n"
+    "  --transfer WORD[,WORD]   --style curvature: shade convex or curved, opacity front or deep; default convex,deep.\n"
+    "                           FILE.png: of one row, a shade for curvatures from convex to concave, 128 leaving\n"
+    "                           colours alone; of several, opacity: flat to curved, near (top) to far\n"
     "  --group PART[,PART...]   transparent parts that show through each other; several --group are several groups\n"
     "  --group-distance D       only where closer than D along the view\n"
     "  --enter SHADE            darken opaque parts where they enter transparent ones, 0 to 1\n"
@@ -103,7 +114,8 @@ typedef struct options {
     size_t model_count, selector_count;
     const char *output;
     int up_axis; /* 0: as in the file */
-    bool list, gles, svg;
+    bool list, gles, svg, kinds_given;
+    transfer_image *transfers[2]; /* opacity, shade */
     illustrate_job job;
 } options;
 
@@ -307,12 +319,10 @@ static int read_choice(const char *option, const char *text, const char *const *
 /* ---- options --------------------------------------------------------------------------------------------- */
 
 static int set_style(options *o, const char *value) {
-    static const char *const words[] = {"auto", "hodges", "lines", "opaque", "glass", NULL};
-    static const char *const later[] = {"smart", "curvature", NULL};
-    static const illustrate_style styles[] = {STYLE_AUTO, STYLE_HODGES, STYLE_LINES, STYLE_OPAQUE, STYLE_GLASS};
+    static const char *const words[] = {"auto", "hodges", "lines", "opaque", "glass", "smart", "curvature", NULL};
+    static const illustrate_style styles[] = {STYLE_AUTO,  STYLE_HODGES, STYLE_LINES,    STYLE_OPAQUE,
+                                              STYLE_GLASS, STYLE_SMART,  STYLE_CURVATURE};
     int chosen;
-    if (read_word(value, strlen(value), later) >= 0)
-        return misused("--style %s: not yet there; there are auto, hodges, glass, lines and opaque", value);
     int result = read_choice("--style", value, words, &chosen);
     if (result == DONE)
         o->job.style = styles[chosen];
@@ -391,6 +401,7 @@ static int set_lines(options *o, const char *value) {
     if (kinds[4] && some)
         return misused("--lines %s: none and another kind", value);
     if (some || kinds[4]) {
+        o->kinds_given = true;
         o->job.silhouettes = kinds[0] || kinds[3];
         o->job.boundaries = kinds[1] || kinds[3];
         o->job.creases = kinds[2] || kinds[3];
@@ -450,6 +461,72 @@ static int set_glass(options *o, const char *value) {
     o->job.adaptive = law == 1;
     o->job.opacity = (float)opacity;
     return DONE;
+}
+
+static int set_law(options *o, const char *value) {
+    static const char *const words[] = {"given", "constant", "adaptive", "angle", "variation", "distance", NULL};
+    static const illustrate_law laws[] = {LAW_GIVEN, LAW_CONSTANT,  LAW_ADAPTIVE,
+                                          LAW_ANGLE, LAW_VARIATION, LAW_DISTANCE};
+    size_t length = strcspn(value, ":");
+    int law = read_word(value, length, words);
+    double opacity = 0;
+    if (law < 0 || (value[length] == ':' &&
+                    (!read_number(value + length + 1, strlen(value + length + 1), 0, 1, &opacity) || opacity <= 0)))
+        return misused("--law %s: not given, constant, adaptive, angle, variation or distance, and after a colon a "
+                       "number above 0 and up to 1",
+                       value);
+    o->job.law = laws[law];
+    o->job.law_opacity = (float)opacity;
+    return DONE;
+}
+
+static int set_iterations(options *o, const char *value) {
+    if (!read_whole(value, strlen(value), 1, 500, &o->job.iterations))
+        return misused("--iterations %s: not a whole number from 1 to 500", value);
+    return DONE;
+}
+
+static int set_halo(options *o, const char *value) {
+    if (!read_number(value, strlen(value), 0, 500, &o->job.halo))
+        return misused("--halo %s: not a number of pixels from 0 to 500", value);
+    o->job.halo = o->job.halo > 0 ? o->job.halo : -1;
+    return DONE;
+}
+
+static int set_transfer_file(options *o, const char *path) {
+    char message[128];
+    transfer_image *image = calloc(1, sizeof *image);
+    if (!image)
+        return failed("out of memory");
+    if (!transfer_image_read(path, image, message, sizeof message)) {
+        free(image);
+        return failed("--transfer %s: %s", path, message);
+    }
+    free(o->transfers[image->is_shade]);
+    o->transfers[image->is_shade] = image;
+    o->job.shades = o->transfers[1] ? o->transfers[1]->shades : NULL;
+    o->job.opacities = o->transfers[0] ? o->transfers[0]->opacities : NULL;
+    return DONE;
+}
+
+static int set_transfer(options *o, const char *value) {
+    static const char *const words[] = {"convex", "curved", "front", "deep", NULL};
+    bool *const presets[] = {&o->job.shade_convex, &o->job.shade_curved, &o->job.opacity_front, &o->job.opacity_deep};
+    size_t size = strlen(value);
+    if (size > 4 && strcmp(value + size - 4, ".png") == 0)
+        return set_transfer_file(o, value);
+    for (const char *at = value;; at++) {
+        size_t length = strcspn(at, ",");
+        int word = read_word(at, length, words);
+        if (word < 0)
+            return misused("--transfer %.*s: not known; there are convex, curved, front, deep and a FILE.png",
+                           (int)length, at);
+        *presets[word] = true;
+        *presets[word ^ 1] = false;
+        at += length;
+        if (!*at)
+            return DONE;
+    }
 }
 
 static int set_enter(options *o, const char *value) {
@@ -601,6 +678,10 @@ static const option OPTIONS[] = {{"--output", true, set_output},
                                  {"--weights", true, set_weights},
                                  {"--interior", true, set_interior},
                                  {"--glass", true, set_glass},
+                                 {"--law", true, set_law},
+                                 {"--iterations", true, set_iterations},
+                                 {"--halo", true, set_halo},
+                                 {"--transfer", true, set_transfer},
                                  {"--group", true, set_group},
                                  {"--group-distance", true, set_group_distance},
                                  {"--enter", true, set_enter},
@@ -688,6 +769,8 @@ static int parse(options *o, int count, char **arguments) {
         else
             o->models[o->model_count++] = arguments[i];
     }
+    if (!o->kinds_given && (o->job.style == STYLE_SMART || o->job.style == STYLE_CURVATURE))
+        o->job.silhouettes = o->job.boundaries = o->job.creases = false; /* they show their own */
     return result == DONE ? check_options(o) : result;
 }
 
@@ -982,7 +1065,8 @@ int main(int count, char **arguments) {
         result = run(&o);
     for (size_t i = 0; i < o.selector_count; i++)
         free(o.selectors[i].names);
-    free(o.selectors);
+    free(o.transfers[0]);
+    free(o.transfers[1]);
     free(o.models);
     return result;
 }

@@ -332,6 +332,18 @@ static bool measure_boxes(const scene *s, boxes *b) {
     return b->low && b->high;
 }
 
+static bool has_layers(illustrate_style style) {
+    return style == STYLE_GLASS || style == STYLE_SMART || style == STYLE_CURVATURE;
+}
+
+static void all_where_none(const scene *s, unsigned char *transparent) {
+    for (size_t i = 0; i < s->part_count; ++i)
+        if (transparent[i])
+            return;
+    for (size_t i = 0; i < s->part_count; ++i)
+        transparent[i] = !s->parts[i].hidden;
+}
+
 /* One byte a part: transparent or not. Where the file has no transparent part, parts that enclose others are; what the
  * job says of a part overrules that. */
 static unsigned char *choose_transparent(renderer *r) {
@@ -339,7 +351,7 @@ static unsigned char *choose_transparent(renderer *r) {
     unsigned char *transparent = calloc(s->part_count + 1, 1);
     boxes b = {NULL, NULL};
     bool file_says = false, ok = transparent && measure_boxes(s, &b);
-    bool glass = r->job->style == STYLE_GLASS;
+    bool glass = has_layers(r->job->style);
     bool hodges = r->job->style == STYLE_AUTO || r->job->style == STYLE_HODGES || r->job->phantom || glass;
     for (size_t i = 0; ok && hodges && i < s->part_count; ++i) {
         transparent[i] = !s->parts[i].hidden && s->parts[i].opacity < 1.0f;
@@ -347,6 +359,8 @@ static unsigned char *choose_transparent(renderer *r) {
     }
     if (ok && hodges && !file_says)
         find_enclosing(s, &b, transparent);
+    if (ok && glass && r->job->style != STYLE_GLASS && !file_says) /* of surfaces, which enclose nothing */
+        all_where_none(s, transparent);
     for (size_t i = 0; ok && r->job->transparent && i < s->part_count; ++i)
         if (r->job->transparent[i] != PART_AUTO)
             transparent[i] = hodges && !s->parts[i].hidden && r->job->transparent[i] == PART_TRANSPARENT;
@@ -852,12 +866,29 @@ static bool prepare(renderer *r) {
 
 /* ---- drawing --------------------------------------------------------------------------------------------------- */
 
+static int silhouette_reach(const illustrate_job *job) {
+    return job->iterations ? job->iterations : 20;
+}
+
+static int halo_reach(const illustrate_job *job) {
+    return job->halo < 0 ? 0 : job->halo > 0 ? (int)ceil(job->halo) : 5;
+}
+
+static int smart_reach(const renderer *r) {
+    int silhouette = silhouette_reach(r->job), halo = halo_reach(r->job);
+    return silhouette > halo ? silhouette : halo;
+}
+
 static bool make_target(renderer *r) {
     int quality = r->job->quality;
     int wide = r->job->width * quality, tall = r->job->height * quality;
     /* Whole pixels of the result in a tile, so that tiles are averaged on their own. */
     int most = TILE / quality * quality;
     r->margin = 16 + (int)(0.5f * HEAVIEST * r->job->line_width * (float)quality);
+    if (r->style == STYLE_SMART) { /* what is so near to a silhouette shows it */
+        int reach = smart_reach(r) * quality;
+        r->margin = r->margin < reach ? reach : r->margin;
+    }
     r->tile_width = (wide < most ? wide : most) + 2 * r->margin;
     r->tile_height = (tall < most ? tall : most) + 2 * r->margin;
     glGenTextures(1, &r->color);
@@ -1024,7 +1055,7 @@ static tr_frame make_frame(const renderer *r) {
     frame.width = r->tile_width;
     frame.height = r->tile_height;
     frame.scene = tr_scene_count(r->figures, r->figure_count, sizeof *r->figures);
-    if (r->style == STYLE_GLASS) { /* what is transparent follows by itself */
+    if (has_layers(r->style)) { /* what is transparent follows by itself */
         tr_scene all = frame.scene;
         memset(&frame.scene, 0, sizeof frame.scene);
         frame.scene.opaque = all.opaque;
@@ -1124,6 +1155,11 @@ static void add_time(renderer *r, const tr_pass *pass, int *index, double *since
 
 /* ---- glass: every layer of what is transparent, and its lines among them ---------------------------------------- */
 
+static const char *style_name(illustrate_style style) {
+    static const char *const names[] = {"auto", "hodges", "lines", "opaque", "glass", "smart", "curvature"};
+    return names[style];
+}
+
 /* What goes wrong is said in one line by whoever is told the result. */
 static void oit_said(oit_log_level level, oit_result code, const char *what, void *user) {
     (void)level, (void)code;
@@ -1139,7 +1175,10 @@ static GLuint make_ink(const renderer *r, oit_pass_kind kind) {
         "void main() {\n"
         "    float z = clamp(corner.z - 2.0 * corner.w, 0.0, 1.0);\n"
         "    gl_Position = vec4(2.0 * corner.xy / size - 1.0, 2.0 * z - 1.0, 1.0);\n}\n",
-        "uniform vec4 ink;\nvoid main() {\n    oit_store(ink);\n}\n"};
+        "uniform vec4 ink;\nvoid main() {\n"
+        "#if OIT_HAS_BLEND && OIT_PASS == OIT_FILL\n"
+        "    oit_fragment f;\n    f.color = ink;\n    f.part = 0u;\n    f.normal = vec3(0.0, 0.0, 1.0);\n"
+        "    f.blend = OIT_BLEND_LINE;\n    oit_store(f);\n#else\n    oit_store(ink);\n#endif\n}\n"};
     static const GLenum types[2] = {GL_VERTEX_SHADER, GL_FRAGMENT_SHADER};
     GLuint program = glCreateProgram();
     GLint linked = 0;
@@ -1171,10 +1210,19 @@ static bool start_glass(renderer *r, oit_proc (*get_proc)(const char *)) {
     desc.log_fn = oit_said;
     desc.log_user = (void *)(uintptr_t)r->job;
     desc.state = OIT_STATE_LEAVE_DEFAULTS;
-    desc.alpha_law = r->job->adaptive ? OIT_ALPHA_ADAPTIVE : OIT_ALPHA_CONSTANT;
+    if (r->job->style == STYLE_GLASS)
+        desc.alpha_law = r->job->adaptive ? OIT_ALPHA_ADAPTIVE : OIT_ALPHA_CONSTANT;
+    else
+        desc.fields = OIT_FIELD_BLEND | OIT_FIELD_PART | OIT_FIELD_NORMAL; /* lines are no surfaces */
+    if (r->job->style == STYLE_SMART)
+        desc.operators = OIT_OPERATE_SMART;
+    if (r->job->style == STYLE_CURVATURE)
+        desc.operators = OIT_OPERATE_CURVATURE | (r->job->law == LAW_DISTANCE ? OIT_OPERATE_SMART : 0);
+    desc.ceiling_bytes = r->job->style == STYLE_GLASS ? 0 : (int64_t)2 << 30; /* operators need all of a tile at once */
     r->oit = oit_create(&desc, &result);
     if (!r->oit)
-        return broken(r, "--style glass: %s; --style hodges needs less", oit_result_string(result));
+        return broken(r, "--style %s: %s; --style hodges needs less", style_name(r->job->style),
+                      oit_result_string(result));
     for (int i = 0; i < 2; ++i) {
         r->ink[i] = make_ink(r, i ? OIT_PASS_FILL : OIT_PASS_COUNT);
         if (!r->ink[i])
@@ -1193,6 +1241,7 @@ static void draw_glass_surface(renderer *r, const oit_pass *pass, const figure *
     normal_matrix(f->model_view, material.normal_matrix);
     for (int k = 0; k < 3; ++k)
         material.color[k] = s->colors ? 0.0f : f->part->color[k];
+    material.part = (uint32_t)(f - r->figures) + 1;
     material.color[3] = f->part->opacity < 1.0f  ? f->part->opacity
                         : r->job->opacity > 0.0f ? r->job->opacity
                         : r->job->adaptive       ? 0.7f
@@ -1220,6 +1269,80 @@ static void draw_glass_lines(const renderer *r, const oit_pass *pass, const figu
     glUseProgram(pass->state.program);
 }
 
+/* Opacity that layers start with. */
+static oit_operator law_operator(const illustrate_job *job) {
+    static const oit_law_kind kinds[] = {OIT_LAW_ADAPTIVE, OIT_LAW_GIVEN,     OIT_LAW_CONSTANT, OIT_LAW_ADAPTIVE,
+                                         OIT_LAW_ANGLE,    OIT_LAW_VARIATION, OIT_LAW_DISTANCE};
+    oit_operator op;
+    memset(&op, 0, sizeof op);
+    op.kind = OIT_RUN_LAW;
+    op.law.kind = kinds[job->law];
+    op.law.s = job->law_opacity > 0.0f ? job->law_opacity : op.law.kind == OIT_LAW_ADAPTIVE ? 0.6f : 0.3f;
+    op.law.reach = (float)(silhouette_reach(job) * job->quality);
+    return op;
+}
+
+/* Reaches are pixels of the result, of which each is several drawn ones. */
+static oit_operator smart_operator(const illustrate_job *job) {
+    int silhouette = silhouette_reach(job) * job->quality, halo = halo_reach(job) * job->quality;
+    oit_operator op;
+    memset(&op, 0, sizeof op);
+    op.kind = OIT_RUN_SMART;
+    op.smart.jumps = 1;
+    op.smart.base.iterations = 20 * job->quality;
+    op.smart.beta.iterations = silhouette;
+    op.smart.beta.lambda = 1.0f / (float)silhouette;
+    op.smart.beta.profile = OIT_PROFILE_10;
+    op.smart.gamma.iterations = halo > 0 ? halo : -1;
+    op.smart.gamma.lambda = halo > 0 ? 1.0f / (float)halo : 1.0f;
+    op.smart.gamma.profile = OIT_PROFILE_11;
+    op.smart.gamma.p = 1.0f;
+    return op;
+}
+
+static oit_operator curvature_operator(const renderer *r) {
+    const illustrate_job *job = r->job;
+    bool none = !(job->shade_convex || job->shade_curved || job->opacity_front || job->opacity_deep || job->shades ||
+                  job->opacities);
+    oit_operator op;
+    memset(&op, 0, sizeof op);
+    op.kind = OIT_RUN_CURVATURE;
+    op.curvature.unit = (float)(0.06 * r->radius); /* radii of a tenth of the scene bend well */
+    op.curvature.shade = job->shade_curved           ? OIT_SHADE_CURVED
+                         : job->shade_convex || none ? OIT_SHADE_CONVEX
+                                                     : OIT_SHADE_NONE;
+    op.curvature.opacity = job->opacity_front          ? OIT_OPACITY_FRONT
+                           : job->opacity_deep || none ? OIT_OPACITY_DEEP
+                                                       : OIT_OPACITY_NONE;
+    op.curvature.shades = job->shades;
+    op.curvature.opacities = job->opacities;
+    op.curvature.first = (float)r->reach[0];
+    op.curvature.last = (float)r->reach[1];
+    return op;
+}
+
+/* Smart transparency, or curvature, on what has been stored. */
+static oit_result operate(renderer *r) {
+    oit_operator ops[5];
+    size_t count = 0;
+    bool late = r->job->law == LAW_DISTANCE, is_smart = r->style == STYLE_SMART;
+    memset(&ops[0], 0, sizeof ops[0]);
+    ops[count].kind = OIT_RUN_LINK;
+    ops[count++].link.radius = (float)r->radius;
+    if (!late)
+        ops[count++] = law_operator(r->job);
+    if (is_smart || late)
+        ops[count++] = smart_operator(r->job);
+    if (late) /* by the distances that SMART has found */
+        ops[count++] = law_operator(r->job);
+    if (!is_smart)
+        ops[count++] = curvature_operator(r);
+    oit_result result = OIT_OK;
+    for (size_t i = 0; i < count && result == OIT_OK; ++i)
+        result = oit_run(r->oit, &ops[i]);
+    return result;
+}
+
 static bool draw_glass(renderer *r, const double projection[16]) {
     oit_frame frame;
     oit_pass pass;
@@ -1228,6 +1351,7 @@ static bool draw_glass(renderer *r, const double projection[16]) {
     frame.framebuffer = r->framebuffer;
     frame.width = r->tile_width;
     frame.height = r->tile_height;
+    to_float(projection, frame.projection);
     if (r->job->shade != SHADE_FLAT) { /* as transparency.h lights by default */
         frame.light[0] = -0.45f;
         frame.light[1] = 0.65f;
@@ -1242,7 +1366,10 @@ static bool draw_glass(renderer *r, const double projection[16]) {
                 draw_glass_surface(r, &pass, &r->figures[i], projection);
                 draw_glass_lines(r, &pass, &r->figures[i]);
             }
-    result = oit_compose(r->oit);
+    if (r->style != STYLE_GLASS)
+        result = operate(r);
+    oit_result composed = oit_compose(r->oit);
+    result = result == OIT_OK ? composed : result;
     oit_result end = oit_end(r->oit);
     if (result != OIT_OK || end != OIT_OK)
         return broken(r, "%s", oit_result_string(result != OIT_OK ? result : end));
@@ -1285,7 +1412,7 @@ static bool draw_tile(renderer *r, int x, int y, const float background[3]) {
     }
     add_time(r, NULL, &index, &since);
     tr_end(r->tr);
-    return r->style != STYLE_GLASS || draw_glass(r, projection);
+    return !has_layers(r->style) || draw_glass(r, projection);
 }
 
 /* Averages quality x quality drawn pixels into each pixel of the picture; rows run down in it. */
@@ -1437,11 +1564,10 @@ static void put_passes(const renderer *r, text *t) {
 }
 
 static void explain(renderer *r) {
-    static const char *const styles[] = {"auto", "hodges", "lines", "opaque", "glass"};
     text t = {NULL, 0, 0, false};
     size_t listed = 0;
     put(&t, "{\n  \"style\": \"%s\",\n  \"interior\": \"%s\",\n  \"alpha\": \"%s\",\n  \"transparent\": [",
-        styles[r->style], drawn_interior(r), alpha_name(r->alpha));
+        style_name(r->style), drawn_interior(r), alpha_name(r->alpha));
     for (size_t i = 0; i < r->figure_count; ++i)
         if (r->figures[i].object.flags & TR_TRANSPARENT) {
             put(&t, listed++ ? ", " : "");
@@ -1450,7 +1576,7 @@ static void explain(renderer *r) {
     put(&t,
         "],\n  \"parts\": %zu,\n  \"drawn_width\": %d,\n  \"drawn_height\": %d,\n  \"geometry_milliseconds\": %.3f,\n",
         r->figure_count, r->job->width * r->job->quality, r->job->height * r->job->quality, r->cpu_ms);
-    if (r->style == STYLE_GLASS) {
+    if (has_layers(r->style)) {
         oit_report glass;
         oit_get_report(r->oit, &glass);
         put(&t, "  \"glass\": {\"milliseconds\": %.3f, \"fragments\": %u, \"deepest\": %u, \"bytes\": %llu},\n",
@@ -1678,7 +1804,7 @@ bool illustrate_render(const illustrate_job *job, void (*(*get_proc)(const char 
     r.result = result;
     r.style = job->style;
     r.alpha = rungs[job->alpha_quality];
-    bool ok = start(&r, get_proc) && (r.style != STYLE_GLASS || start_glass(&r, get_proc)) && prepare(&r);
+    bool ok = start(&r, get_proc) && (!has_layers(r.style) || start_glass(&r, get_proc)) && prepare(&r);
     if (ok && r.style == STYLE_AUTO) {
         tr_scene found = tr_scene_count(r.figures, r.figure_count, sizeof *r.figures);
         r.style = found.transparent || found.transparent_two_sided ? STYLE_HODGES : STYLE_OPAQUE;
@@ -1686,11 +1812,8 @@ bool illustrate_render(const illustrate_job *job, void (*(*get_proc)(const char 
     r.interior = ok ? choose_interior(&r) : TR_INTERIOR_IMPLICIT;
     ok = ok && (job->enter <= 0 || find_crossings(&r));
     if (ok && job->verbose)
-        fprintf(stderr, "style %s, %s interiors, %zu parts\n",
-                r.style == STYLE_HODGES  ? "hodges"
-                : r.style == STYLE_GLASS ? "glass"
-                                         : "opaque or lines",
-                interior_name(r.interior), r.figure_count);
+        fprintf(stderr, "style %s, %s interiors, %zu parts\n", style_name(r.style), interior_name(r.interior),
+                r.figure_count);
     ok = ok && make_target(&r) && draw(&r);
     if (ok && job->explain)
         explain(&r);

@@ -7,7 +7,25 @@
 
 #include "scene.h"
 
-typedef enum illustrate_style { STYLE_AUTO, STYLE_HODGES, STYLE_LINES, STYLE_OPAQUE, STYLE_GLASS } illustrate_style;
+typedef enum illustrate_style {
+    STYLE_AUTO,
+    STYLE_HODGES,
+    STYLE_LINES,
+    STYLE_OPAQUE,
+    STYLE_GLASS,
+    STYLE_SMART,
+    STYLE_CURVATURE
+} illustrate_style;
+/* Opacity that a layer starts with: oit_buffers.h's laws. */
+typedef enum illustrate_law {
+    LAW_AUTO, /* ADAPTIVE */
+    LAW_GIVEN,
+    LAW_CONSTANT,
+    LAW_ADAPTIVE,
+    LAW_ANGLE,
+    LAW_VARIATION,
+    LAW_DISTANCE
+} illustrate_law;
 typedef enum illustrate_shade { SHADE_COOL_TO_WARM, SHADE_FLAT } illustrate_shade;
 /* AUTO: explicit for transparent parts with inner walls, else implicit. PUBLISHED: implicit, with the paper's faults.
  * LAYERS: the closest transparent surfaces, whatever they belong to. */
@@ -56,8 +74,14 @@ typedef struct illustrate_job {
     double group_distance;       /* along the view, units of the scene; 0: however far */
     bool adaptive;               /* STYLE_GLASS: the layers of a pixel hide together what one would, however many */
     float opacity;               /* STYLE_GLASS: of parts that the file has opaque, 0 to 1; 0: 0.3, adaptive 0.7 */
-    float enter;                 /* shade taken from opaque parts where they enter transparent ones, 0 to 1 */
-    bool explain, verbose;       /* explain: fill explain_json; verbose: lines about the path taken may go to stderr */
+    illustrate_law law;          /* STYLE_SMART, STYLE_CURVATURE */
+    float law_opacity;           /* of that law; 0: 0.3, ADAPTIVE 0.6 */
+    int iterations;              /* STYLE_SMART: pixels of the result that silhouettes fade over; 0: 20 */
+    double halo;                 /* the same of halos; 0: 5, negative: none */
+    bool shade_convex, shade_curved, opacity_front, opacity_deep; /* STYLE_CURVATURE: presets; none: convex and deep */
+    const float *shades, *opacities;                              /* instead, where not NULL: oit_curvature's arrays */
+    float enter;           /* shade taken from opaque parts where they enter transparent ones, 0 to 1 */
+    bool explain, verbose; /* explain: fill explain_json; verbose: lines about the path taken may go to stderr */
     void (*progress)(const char *what, double fraction, void *user); /* may be NULL; fraction 0 to 1 */
     void *user;
 } illustrate_job;

@@ -124,14 +124,20 @@ float oit_gap(oit_side side, uint first, uint n, uint i)
     return i < n ? oit_apart(side, oit_record(first + i)) : OIT_NEVER;
 }
 
+// In the order of the slots; oit_set[1].y is -1 where the eye looks along +z, whose distances fall from the eye on.
+bool oit_comes_before(uint slot, oit_side side)
+{
+    return oit_distance(oit_depth(slot)) * oit_set[1].y < side.predicted * oit_set[1].y;
+}
+
 // The same, from the predicted depth outward on both sides, the nearer gap first, until the gap alone weighs more than the
 // best so far. `from` is where the search of the fragment before began; surfaces mostly keep their order, so that the
 // place is near.
 uint oit_best_within(oit_side side, uint first, uint n, inout uint from)
 {
-    while (from < n && oit_distance(oit_depth(first + from)) < side.predicted)
+    while (from < n && oit_comes_before(first + from, side))
         ++from;
-    while (from > 0u && !(oit_distance(oit_depth(first + from - 1u)) < side.predicted))
+    while (from > 0u && !oit_comes_before(first + from - 1u, side))
         --from;
     uint before = from - 1u, behind = from, best = OIT_NONE; // before: beyond n when it has passed 0
     float gap_before = oit_gap(side, first, n, before), gap_behind = oit_gap(side, first, n, behind), least = OIT_NEVER;

@@ -331,10 +331,7 @@ done
 for background in '' red fff fffffff gggggg '#' 0xffffff; do
     wrong 'RRGGBB' model:mug -o out/picture.png --background "$background"
 done
-for style in smart curvature; do
-    wrong 'not yet there' model:mug -o out/picture.png --style "$style"
-done
-wrong 'there are auto, hodges, lines, opaque and glass' model:mug -o out/picture.png --style nice
+wrong 'there are auto, hodges, lines, opaque, glass, smart and curvature' model:mug -o out/picture.png --style nice
 wrong 'cool-to-warm and flat' model:mug -o out/picture.png --shade dark
 wrong 'over, normalised and published' model:mug -o out/picture.png --blend under
 wrong 'auto, implicit, explicit and published' model:mug -o out/picture.png --interior none
@@ -342,6 +339,18 @@ wrong 'layers:N with a whole number from 1 to 8' model:mug -o out/picture.png --
 wrong 'layers:N with a whole number from 1 to 8' model:mug -o out/picture.png --interior layers:
 for law in '' thin constant: adaptive:0 adaptive:1.5 adaptive:x constant:0.3:2; do
     wrong 'not constant or adaptive' model:mug -o out/picture.png --glass "$law"
+done
+for law in '' thin constant: angle:0 adaptive:1.5 distance:x; do
+    wrong 'not given, constant, adaptive' model:mug -o out/picture.png --law "$law"
+done
+for n in '' 0 501 -1 2.5 x; do
+    wrong 'from 1 to 500' model:mug -o out/picture.png --iterations "$n"
+done
+for n in '' -1 501 x; do
+    wrong 'from 0 to 500' model:mug -o out/picture.png --halo "$n"
+done
+for word in '' dull convex, ,deep; do
+    wrong 'not known; there are convex, curved, front, deep and a FILE.png' model:mug -o out/picture.png --transfer "$word"
 done
 wrong 'no such part' model:mug -o out/picture.png --group spoon
 wrong 'names no part' model:mug -o out/picture.png --group ,
@@ -449,6 +458,47 @@ if [ $? -ne 0 ]; then # a driver that does not heed the override draws it
     check '--style glass on an old context says one line' one_line_on_stderr
     check '--style glass on an old context leaves nothing' [ ! -e out/old.png ]
 fi
+# Smart transparency and curvature, of single surfaces too; each option makes another picture.
+for style in smart curvature; do
+    run model:stream_surface --size 64x48 --quality 1 --style "$style" --explain -o "out/$style.png"
+    check "--style $style" [ "$status" -eq 0 ]
+    check "--style $style says nothing" [ ! -s stderr ]
+    check "--style $style says so" grep -q "\"style\": \"$style\"" stdout
+    check "--style $style makes a single surface transparent" grep -q '"deepest": [2-9]' stdout
+    for law in given constant angle variation distance adaptive:0.9; do
+        run model:stream_surface --size 64x48 --quality 1 --style "$style" --law "$law" --transfer convex -o out/law.png
+        check "--style $style --law $law" [ "$status" -eq 0 ]
+        check "--style $style --law $law differs" sh -c '! cmp -s out/law.png "out/$0.png"' "$style"
+    done
+done
+run model:stream_surface --size 64x48 --quality 1 --style smart --law adaptive:0.6 --iterations 20 --halo 5 -o out/law.png
+check '--style smart: defaults' cmp -s out/law.png out/smart.png
+run model:stream_surface --size 64x48 --quality 1 --style curvature --transfer convex,deep -o out/law.png
+check '--style curvature: defaults' cmp -s out/law.png out/curvature.png
+for option in '--iterations 5' '--halo 0' '--halo 12' '--lines all'; do
+    run model:stream_surface --size 64x48 --quality 1 --style smart $option -o out/law.png
+    check "--style smart $option" [ "$status" -eq 0 ]
+    check "--style smart $option differs" sh -c '! cmp -s out/law.png out/smart.png'
+done
+for words in curved front curved,front deep; do
+    run model:stream_surface --size 64x48 --quality 1 --style curvature --transfer "$words" -o out/law.png
+    check "--transfer $words" [ "$status" -eq 0 ]
+    check "--transfer $words differs" sh -c '! cmp -s out/law.png out/curvature.png'
+done
+run model:mug --size 1x8 --style opaque --background 800000 --view 0,89 -o out/table.png
+run model:stream_surface --size 64x48 --quality 1 --style curvature --transfer out/table.png -o out/law.png
+check '--transfer FILE.png' [ "$status" -eq 0 ]
+check '--transfer FILE.png differs' sh -c '! cmp -s out/law.png out/curvature.png'
+run model:stream_surface --size 16x16 --style curvature --transfer out/none.png -o out/picture.png
+check '--transfer of no file fails' [ "$status" -eq 1 ]
+check '--transfer of no file says so' grep -q 'none.png: cannot be read' stderr
+cp in/latin1.obj in/table.png
+run model:stream_surface --size 16x16 --style curvature --transfer in/table.png -o out/picture.png
+check '--transfer of no image fails' [ "$status" -eq 1 ]
+check '--transfer of no image says so' grep -q 'not an image' stderr
+run model:klein_bottle --size 32x32 --quality 1 --style smart --gles -o out/gles.png
+check '--style smart --gles' [ "$status" -eq 0 ]
+rm -f out/smart.png out/curvature.png out/law.png out/gles.png out/table.png in/table.png
 run in/latin1.obj --transparent '*' --size 16x16 --explain -o out/picture.png
 check '--explain writes JSON for any name' python3 -m json.tool stdout parsed
 rm -f out/*
