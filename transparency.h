@@ -8909,6 +8909,19 @@ static void tr_i_plan_sequence(tr_context *tr, const tr_dynamic *dynamic) {
         tr_i_plan_step(plan, seq, (const tr_i_step *)seq->steps.items + i);
 }
 
+/* The steps of what has been arranged. */
+static void tr_i_add_sequence(tr_context *tr, const tr_frame *frame, const tr_dynamic *dynamic) {
+    tr_i_sequence *seq = &tr->seq;
+    if (seq->exact) {
+        tr_i_add_exact_steps(tr, dynamic);
+        seq->wanted[3] = seq->peeled;
+    } else {
+        tr_i_add_steps(tr, dynamic);
+    }
+    tr_i_bound_masks(seq);
+    tr_i_add_blocks(tr, frame, dynamic);
+}
+
 /* Lists and steps; no GL. */
 static tr_result tr_i_arrange_sequence(tr_context *tr, const tr_frame *frame, const tr_dynamic *dynamic) {
     tr_i_sequence *seq = &tr->seq;
@@ -8921,18 +8934,31 @@ static tr_result tr_i_arrange_sequence(tr_context *tr, const tr_frame *frame, co
     if (seq->exact) {
         tr_i_arrange_masks(tr, dynamic, size);
         tr_i_sort_masks(tr);
-        tr_i_add_exact_steps(tr, dynamic);
-        seq->wanted[3] = seq->peeled;
     } else {
         tr_i_arrange_units(tr, dynamic, size);
-        tr_i_add_steps(tr, dynamic);
     }
-    tr_i_bound_masks(seq);
-    tr_i_add_blocks(tr, frame, dynamic);
+    if (!seq->no_memory) /* else lists are not whole */
+        tr_i_add_sequence(tr, frame, dynamic);
     if (seq->no_memory)
         return tr_i_fail(&tr->desc, TR_OUT_OF_MEMORY, "dynamic.units");
     tr_i_plan_sequence(tr, dynamic);
     return TR_OK;
+}
+
+/* Hosts that apply state themselves are told the built-in program of the scene, and what it reads. */
+static tr_result tr_i_prepare_scene(tr_context *tr) {
+    tr_result result = TR_OK;
+    if (tr->desc.state != TR_STATE_NONE || tr->see.plan.pass_count == 0)
+        return TR_OK;
+    if (!tr->see.buffer || !tr->programs[TR_RULE_SEE_PLAIN].name) {
+        tr_i_save(tr, &tr->saved);
+        result = tr_i_make_program(tr, TR_RULE_SEE_PLAIN);
+        tr_i_make_see_buffer(tr);
+        tr_i_restore(tr, &tr->saved);
+    }
+    if (result == TR_OK)
+        tr_i_upload_see_block(tr);
+    return result;
 }
 
 /* After tr_i_plan_see, which has placed the units. The state is as found afterwards: the scene comes first. */
@@ -8942,6 +8968,8 @@ static tr_result tr_i_begin_sequence(tr_context *tr, const tr_frame *frame, cons
     seq->step = 0;
     if (frame->width > 0 && frame->height > 0)
         result = tr_i_arrange_sequence(tr, frame, dynamic);
+    if (result == TR_OK)
+        result = tr_i_prepare_scene(tr);
     if (result != TR_OK || tr->see.plan.see == TR_SEE_OFF)
         return result;
     result = tr_i_check_see_target(tr);
@@ -9445,8 +9473,11 @@ static void tr_i_fill_step(tr_context *tr, const tr_i_step *step, tr_pass *pass)
         pass->units = (const uint32_t *)list->items + step->first;
         pass->unit_count = step->count;
     }
-    if (pass->kind == TR_PASS_SCENE)
+    if (pass->kind == TR_PASS_SCENE) { /* the first of the plan, as in the other rungs */
+        tr_i_fill_see_bindings(tr, 0, &pass->state);
+        tr_i_fill_see_tests(tr, 0, &pass->state);
         return;
+    }
     tr_i_place_step(tr, step, &pass->state);
     tr_i_test_step(tr, step, &pass->state);
 }
