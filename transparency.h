@@ -8803,6 +8803,7 @@ static tr_result tr_i_seq_work(tr_context *tr) {
 static void tr_i_take_wishes(tr_context *tr, const tr_dynamic *dynamic) {
     tr_i_sequence *seq = &tr->seq;
     const tr_i_law *law = &tr->see.law;
+    seq->exact = dynamic->see == TR_SEE_EXACT;
     seq->published = dynamic->see == TR_SEE_PUBLISHED;
     seq->product = seq->published || dynamic->combine == TR_MASK_PRODUCT;
     seq->each = seq->published || dynamic->occluders == TR_OCCLUDERS_EACH;
@@ -8812,7 +8813,6 @@ static void tr_i_take_wishes(tr_context *tr, const tr_dynamic *dynamic) {
     seq->wanted[1] = tr->frame.height;
     seq->wanted[2] = law->divisor;
     seq->wanted[3] = 0;
-    seq->exact = dynamic->see == TR_SEE_EXACT;
     seq->shape = dynamic->shape;
     seq->light = (tr->frame.wishes.options & TR_WISH_SRGB) != 0;
     seq->reach = law->reach;
