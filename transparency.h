@@ -4918,11 +4918,14 @@ static void tr_i_flush_masks(tr_context *tr, tr_i_sequence *seq) {
 
 /* Whether a unit may be painted along with those of the last item: nothing of one may cover anything of another. */
 static int tr_i_joins_item(const tr_i_sequence *seq, const tr_i_place *places, const int box[4], int hollow) {
-    const tr_i_item *item = (const tr_i_item *)seq->items.items + seq->items.count - 1;
+    const tr_i_item *item;
     const uint32_t *list = (const uint32_t *)seq->list.items;
     uint32_t i;
     int other[4];
-    if (!seq->open || item->hollow != hollow || item->count == TR_I_RUN)
+    if (!seq->open)
+        return 0;
+    item = (const tr_i_item *)seq->items.items + seq->items.count - 1;
+    if (item->hollow != hollow || item->count == TR_I_RUN)
         return 0;
     for (i = 0; i < item->count; ++i)
         if (tr_i_box_of(places, list[item->first + i], other) && tr_i_boxes_meet(other, box))
@@ -5040,7 +5043,7 @@ static void tr_i_arrange_units(tr_context *tr, const tr_dynamic *dynamic, const 
     seq->list.count = seq->scene.count = seq->masks.count = seq->items.count = 0;
     seq->pending = 0;
     seq->open = seq->no_memory = 0;
-    for (at = 0; at < dynamic->unit_count; ++at)
+    for (at = 0; at < dynamic->unit_count && !seq->no_memory; ++at)
         tr_i_arrange_unit(tr, dynamic, at, size);
 }
 
