@@ -179,7 +179,10 @@
         dynamic->units = units;
         dynamic->unit_count = COUNT;                                  // and dynamic->view, dynamic->projection
         result = tr_begin_dynamic(tr, frame, dynamic);
-        if (result != TR_OK) return result;
+        if (result != TR_OK) {                                        // no pass comes: the scene is yours to draw
+            draw_everything_as_ever();
+            return result;
+        }
         while (tr_next_pass(tr, &pass)) {
             if (pass.kind == TR_PASS_SCENE && pass.rule == TR_RULE_SEE_PLAIN)
                 draw_everything_as_ever();                            // own programs, own state, all attachments
@@ -608,7 +611,8 @@ typedef struct tr_unit {
     uint32_t id;             /* stable, at most 65535; targets: from 1, unique among them */
     uint32_t flags;          /* TR_UNIT_*; 0: a distractor */
     float center[3], radius; /* bounding sphere in the world. Not finite, or radius < 0: no bounds, the whole viewport;
-                                radius 0: a point */
+                                radius 0: a point. Where middles give the order, a centre that is not finite is the
+                                farthest */
     float importance; /* clamped to [0,1]; 0: the default, 1 for targets and 0 for others; negative: 0. An occluder
                                 gives up clamp(target's - occluder's) of what the mask asks for: 1 and 0 give the paper */
     uint32_t group;   /* 0: on its own; members of a group are ordered by rank, lowest innermost (TR_SEE_SEQUENCE) */
@@ -709,6 +713,7 @@ typedef struct tr_see_plan {
    Where no target may be hidden, or nothing that yields may lie before one, this is the only pass and no GL call is made.
    With TR_RULE_SEE_PLAIN the host's program is as it always was; tr_set_material puts the built-in one to use.
    A host that draws instances in batches may draw more than pass.units: shaders know by the code what is not wanted.
+   On an error no pass comes, TR_PASS_SCENE neither: the host draws its scene as it does without this header.
    TR_INVALID_ARGUMENT: matrices or numbers that are not finite, values out of range, an id out of range or of two
    targets; lights or units that are NULL; what the rung cannot do (see docs/dynamic.md). */
 TR_DEF tr_result tr_begin_dynamic(tr_context *tr, const tr_frame *frame, const tr_dynamic *dynamic);
