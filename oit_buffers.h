@@ -90,8 +90,9 @@
    GL STATE CONTRACT
    oit_create only asks: no state is changed and no object is made. Between oit_begin and oit_end the header owns the state
    of the context; the host draws its transparent objects with what each pass has set. The target's own depth, written
-   before by the host, hides fragments; it is tested, and written only where oit_frame.depth asks for it. Culling is off, because both sides of a surface
-   are layers: a host that wants otherwise switches it on after oit_next_pass. desc.state says what happens around that:
+   before by the host, hides fragments; it is tested, and written only where oit_frame.depth asks for it. Culling is off,
+   because both sides of a surface are layers: a host that wants otherwise switches it on after oit_next_pass. desc.state
+   says what happens around that:
    - OIT_STATE_RESTORE         all that a frame changed is as it was after oit_end (the list is oit_i_snapshot)
    - OIT_STATE_LEAVE_DEFAULTS  that state has the values of a fresh context, framebuffer 0
    - OIT_STATE_LEAVE_DIRTY     it is whatever the last pass needed
@@ -99,9 +100,10 @@
                                pass.state holds what the host sets, and the passes that are not the host's (those with
                                groups or a vertex_count) come to it as well. It needs OIT_FIT_ASYNC
    Not touched, and expected to be at rest: conditional rendering, transform feedback. GL_FRAMEBUFFER_SRGB is the host's
-   choice: on, with an sRGB target, colours are taken for light. The alpha channel of the target is not written, and of several draw buffers only the first; ES before 3.2 has
-   no mask by buffer: give it a framebuffer with one. glGetError is never called. Where memory runs out, GL_OUT_OF_MEMORY
-   is left for the host to find; the header itself goes by the size that the buffer has.
+   choice: on, with an sRGB target, colours are taken for light. The alpha channel of the target is not written, and of
+   several draw buffers only the first; ES before 3.2 has no mask by buffer: give it a framebuffer with one. glGetError is
+   never called. Where memory runs out, GL_OUT_OF_MEMORY is left for the host to find, and where OIT_STORE_FETCH refuses a
+   depth that is a layer of an array, GL's error; the header itself goes by the size that the buffer has.
 
    ERRORS, MEMORY, THREADS
    Every function that can fail returns an oit_result and logs through desc.log_fn. Where something fails between oit_begin
@@ -112,8 +114,8 @@
    desc.budget_bytes. One context of ours for one GL context, used from the thread that has it current.
 
    STORES, desc.store
-   They differ in geometry passes, memory and what happens when there is too much; the layers of a pixel come in the
-   same order in all. What fits looks the same, to the bit, with OIT_STORE_EXACT, OIT_STORE_PREDICT, OIT_STORE_LINKED and OIT_STORE_FETCH.
+   They differ in geometry passes, memory and what happens when there is too much; the layers of a pixel come in the same
+   order in all, and what fits looks the same, to the bit.
    - OIT_STORE_EXACT    two geometry passes: counted, then filled
    - OIT_STORE_PREDICT  one, into runs as long as the pixel or one of its eight neighbours needed in the frame before, and
                         desc.headroom. What the guess does not hold is filled again with OIT_FIT_WAIT (two passes more), and
@@ -134,6 +136,10 @@
                         targets, however many layers; no picking and no depth of the composite. 16 bytes a fragment at most
                         (OIT_COLOR_8 or OIT_COLOR_HALF and one word more), no coverage, not with OIT_STATE_NONE. The
                         target's depth must be a renderbuffer or a 2D texture, not that of the default framebuffer
+   - OIT_STORE_BUDGET   two, within desc.budget_bytes: first the depth up to which the k nearest of a pixel reach, then those
+                        stored and the others summed up behind them. Neither wait nor growth, whatever the fit; about as
+                        fast as OIT_STORE_EXACT, faster for deep pixels and small k
+   - OIT_STORE_BUCKETED the same, and the fragments of a pixel grouped by OIT_FIELD_PART
 
    RECIPES
    - Your own shaders: prepend the strings of oit_glsl() to a vertex and a fragment shader (which then begins without
@@ -152,8 +158,6 @@
    - Fog, depth of field, temporal anti-aliasing after glass: frame.depth = OIT_DEPTH_MEDIAN, and frame.depth_framebuffer
      the target itself, or a framebuffer with a copy of the opaque depth.
    - Surfaces with many layers that must not turn into a wall: desc.alpha_law = OIT_ALPHA_ADAPTIVE.
-   - A fixed price whatever is drawn: OIT_STORE_BUDGET; desc.layers bounds k where the budget would give more. With
-     OIT_STORE_BUCKETED and 16 bits of depth the count pass chooses by part as well: set fragment.part there too.
 
    MULTISAMPLED TARGETS
    With OIT_FIELD_COVERAGE, of 2 to OIT_MAX_SAMPLES samples. A fragment is stored once a pixel with the samples that it
@@ -216,14 +220,18 @@
    LIMITS AND PRECISION
    - Depths are gl_FragCoord.z in 32 bits: layers are told apart down to one unit in the last place.
    - A fragment at the very depth of the host's opaque surface is hidden.
-   - Colours: see oit_color. Into a target of 8 bits the picture is within 1/255 of the exact one, into one of floats
-     within 10^-5 with OIT_COLOR_FLOAT. Infinities and NaN in a colour become 0, alpha is cut to [0,1].
+   - Colours: see oit_color. Into a target of 8 bits the picture is within 1.5/255 of the exact one (drivers may round
+     when they blend it over the background: 1.05/255 measured), into one of floats within 10^-5 with OIT_COLOR_FLOAT.
+     Infinities and NaN in a colour become 0, alpha is cut to [0,1].
    - The tail takes colours up to 4, takes all layers of a pixel as evenly mixed, and is exact where they have one colour.
    - Of the k nearest: where fragments tie for the last places of a pixel, those of that depth go to the tail together, be
      their parts and keys what they may. A tail holds 65,535 fragments, to 2^-26 of optical depth each; k is at most 1,024.
    - Mesa's software driver ends a shader's loops after 65,535 rounds: pixels of more than about 1,400 fragments lose some
      there.
-   - Image size: what GL_MAX_VIEWPORT_DIMS and storage blocks of one row allow. A viewport of no area is no error.
+   - Image size: what GL_MAX_VIEWPORT_DIMS and storage blocks of one row allow; what one block does not hold is drawn in
+     slabs. A viewport of no area is no error; its corner is in -32,768 ... 32,767. All fragments of an image (of a slab)
+     are less than 2^32: OIT_FIT_WAIT refuses more, OIT_FIT_ASYNC shows what is beyond as nothing. A pixel's are less than
+     2^30. Numbers of a report that count over all slabs wrap at 2^32.
 */
 #ifndef OIT_BUFFERS_H
 #define OIT_BUFFERS_H
@@ -340,11 +348,13 @@ typedef struct oit_desc {
     oit_state_policy state;
     oit_fit fit;
     oit_color color;
-    uint32_t fields;       /* OIT_FIELD_* */
-    int host_words;        /* words of the host's own in each fragment, at most OIT_MAX_HOST_WORDS */
-    int premultiplied;     /* 1: the rgb that shaders give is multiplied by alpha already */
-    int reversed_z;        /* 1: near is 1, far is 0 */
-    int64_t ceiling_bytes; /* most that the fragment pool may take; 0: 512 MiB. Never more than a storage block holds */
+    uint32_t fields;   /* OIT_FIELD_* */
+    int host_words;    /* words of the host's own in each fragment, at most OIT_MAX_HOST_WORDS */
+    int premultiplied; /* 1: the rgb that shaders give is multiplied by alpha already */
+    int reversed_z;    /* 1: near is 1, far is 0 */
+    int64_t
+        ceiling_bytes; /* most that the fragment pool may take, no more than a storage block holds; OIT_STORE_FETCH: most
+                              that its targets may take; 0: 512 MiB */
     int64_t max_block_bytes;   /* 0: what the context has; else storage blocks are taken to hold no more (for tests) */
     int first_storage_binding; /* three shader storage binding points from here on are ours */
     int uniform_binding;       /* uniform buffer binding point that is ours; 0: 14 */
@@ -496,7 +506,7 @@ OIT_DEF oit_result oit_get_report(oit_context *oit, oit_report *report);
 typedef struct oit_pick {
     int x, y, layer; /* as asked */
     uint64_t frame;  /* that it is of, counted as in oit_report */
-    uint32_t layers; /* fragments of the pixel before the host's opaque things */
+    uint32_t layers; /* fragments of the pixel before the host's opaque things; BUDGET, BUCKETED: that are kept */
     int found;       /* 0: there is no such layer, or the pixel's run did not fit; what follows is then 0 */
     float depth;     /* window depth */
     float color[4];  /* as it was stored: multiplied by alpha with desc.premultiplied */
@@ -1568,16 +1578,6 @@ static const char *const oit_i_shader_oit_lay_frag[] = {
     "    last = layer;\n"
     "    oit_lay(layer, uvec4(0u));\n"
     "}\n"
-    "\n"
-    "void oit_count_lost(uint p, uint count)\n"
-    "{\n"
-    "    uint most = oit_step.w * uint(OIT_FETCHED);\n"
-    "    oit_pixel[OIT_LEFT(p)] = count;\n"
-    "    if (most == 0u || count <= most)\n"
-    "        return;\n"
-    "    atomicAdd(oit_pixel[OIT_LOST_PIXELS], 1u);\n"
-    "    atomicAdd(oit_pixel[OIT_LOST], count - most);\n"
-    "}\n"
     "#endif\n"
     "\n"
     "void main()\n"
@@ -1589,13 +1589,14 @@ static const char *const oit_i_shader_oit_lay_frag[] = {
     "        oit_pixel[at + i] = 0u;\n"
     "    for (uint i = 8u; i < 11u; ++i)\n"
     "        oit_pixel[at + i] = floatBitsToUint(1.0);\n"
-    "    if (p < OIT_HEADER)\n"
-    "        oit_pixel[p] = 0u;\n"
+    "    if (p == 0u && oit_step.x != 0u)\n"
+    "        for (uint i = 0u; i < OIT_HEADER; ++i)\n"
+    "            oit_pixel[i] = 0u;\n"
     "#else\n"
     "    uvec4 last = uvec4(oit_pixel[at], oit_pixel[at + 1u], oit_pixel[at + 2u], oit_pixel[at + 3u]);\n"
     "    uint copies = oit_pixel[at + 4u];\n"
     "    if (copies == 0u)\n"
-    "        oit_count_lost(p, oit_seen.y);\n"
+    "        oit_pixel[OIT_LEFT(p)] = oit_seen.y;\n"
     "    for (uint c = 0u; c < 3u; ++c)\n"
     "        oit_sum[c] = uintBitsToFloat(oit_pixel[at + 5u + c]);\n"
     "#if OIT_HAS_BLEND\n"
@@ -2812,6 +2813,9 @@ static const char *const oit_i_shader_oit_ordered_glsl[] = {
     "    if (fits)\n"
     "        start += uint(max(int(oit_pixel[OIT_LEFT(p)]), 0));\n"
     "    n = end - start;\n"
+    "#if OIT_ASYNC && OIT_STORE == OIT_PREDICT // the run was as long as guessed\n"
+    "    n = fits ? n : oit_pixel[OIT_SEEN(p)];\n"
+    "#endif\n"
     "    base = (start - oit_pool.y) * uint(OIT_VECTORS);\n"
     "    return fits;\n"
     "}\n"
@@ -3595,6 +3599,12 @@ static const char *const oit_i_shader_oit_sum_comp[] = {
     "        uint count = p < oit_pool.x ? oit_pixel[OIT_WANTED(p)] : 0u;\n"
     "        sum = oit_add(sum, count);\n"
     "        most = max(most, count);\n"
+    "#if OIT_STORE == OIT_FETCH && OIT_ASYNC // layers beyond the passes that the frame has\n"
+    "        if (count > oit_step.w * uint(OIT_FETCHED)) {\n"
+    "            atomicAdd(oit_pixel[OIT_LOST_PIXELS], 1u);\n"
+    "            atomicAdd(oit_pixel[OIT_LOST], count - oit_step.w * uint(OIT_FETCHED));\n"
+    "        }\n"
+    "#endif\n"
     "        if (count > 0u)\n"
     "            atomicAdd(oit_classes[oit_class(count)], 1u);\n"
     "    }\n"
@@ -3791,7 +3801,8 @@ static const char *const oit_i_shader_oit_tail_glsl[] = {
     "#endif\n"
     "#if OIT_HAS_BLEND\n"
     "    if (blend == 1u) { // add\n"
-    "        weight = OIT_PREMULTIPLIED == 1 ? max(color.a, 1.0e-6) : color.a;\n"
+    "        c = clamp(color.rgb, 0.0, 4.0); // premultiplied light needs no alpha\n"
+    "        weight = OIT_PREMULTIPLIED == 1 ? 1.0 : color.a;\n"
     "        thickness = 0.0;\n"
     "    } else if (blend == 2u) { // multiply\n"
     "        OIT_PRECISE float keep = 1.0 - color.a * (1.0 - min((c.r + c.g + c.b) / 3.0, 1.0));\n"
@@ -5617,7 +5628,7 @@ static void oit_i_limit_blocks(oit_context *oit) {
     oit->desc.max_block_bytes = most;
     if (oit->desc.ceiling_bytes == 0)
         oit->desc.ceiling_bytes = (int64_t)512 << 20;
-    if (oit->desc.ceiling_bytes > most)
+    if (oit->desc.ceiling_bytes > most && oit->desc.store != OIT_STORE_FETCH) /* whose targets are no blocks */
         oit->desc.ceiling_bytes = most;
     if (oit->desc.budget_bytes == 0) /* more than a block would cut the image into slabs, each drawn twice */
         oit->desc.budget_bytes = most < (int64_t)256 << 20 ? most : (int64_t)256 << 20;
@@ -6005,7 +6016,7 @@ static oit_result oit_i_make_targets(oit_context *oit, int width, int height) {
 static oit_result oit_i_share_depth(oit_context *oit) {
     const oit_i_gl *gl = &oit->gl;
     oit_i_u where = oit->frame.framebuffer ? OIT_I_GL_DEPTH_ATTACHMENT : OIT_I_GL_DEPTH;
-    int32_t type = 0, name = 0, level = 0;
+    int32_t type = 0, name = 0, level = 0, shared = 0;
     gl->gl_BindFramebuffer(OIT_I_GL_DRAW_FRAMEBUFFER, oit->frame.framebuffer);
     gl->gl_GetFramebufferAttachmentParameteriv(OIT_I_GL_DRAW_FRAMEBUFFER, where,
                                                OIT_I_GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, &type);
@@ -6019,17 +6030,23 @@ static oit_result oit_i_share_depth(oit_context *oit) {
         gl->gl_GetFramebufferAttachmentParameteriv(OIT_I_GL_DRAW_FRAMEBUFFER, where,
                                                    OIT_I_GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LEVEL, &level);
     gl->gl_BindFramebuffer(OIT_I_GL_DRAW_FRAMEBUFFER, oit->fetch_framebuffer);
+    gl->gl_FramebufferRenderbuffer(OIT_I_GL_DRAW_FRAMEBUFFER, OIT_I_GL_DEPTH_ATTACHMENT, OIT_I_GL_RENDERBUFFER,
+                                   type == 0 || type == (int32_t)OIT_I_GL_TEXTURE ? 0 : (oit_i_u)name);
     if (type == (int32_t)OIT_I_GL_TEXTURE)
         gl->gl_FramebufferTexture2D(OIT_I_GL_DRAW_FRAMEBUFFER, OIT_I_GL_DEPTH_ATTACHMENT, OIT_I_GL_TEXTURE_2D,
                                     (oit_i_u)name, level);
-    else
-        gl->gl_FramebufferRenderbuffer(OIT_I_GL_DRAW_FRAMEBUFFER, OIT_I_GL_DEPTH_ATTACHMENT, OIT_I_GL_RENDERBUFFER,
-                                       (oit_i_u)name);
+    /* A layer of an array is refused by GL, and the frame would go without the depth. */
+    gl->gl_GetFramebufferAttachmentParameteriv(OIT_I_GL_DRAW_FRAMEBUFFER, OIT_I_GL_DEPTH_ATTACHMENT,
+                                               OIT_I_GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, &shared);
+    if (shared != type)
+        return oit_i_fail(&oit->desc, OIT_NO_FETCH, "oit_begin",
+                          "OIT_STORE_FETCH: the target's depth is neither a renderbuffer nor a 2D texture");
     return OIT_OK;
 }
 
 static oit_result oit_i_make_fetch(oit_context *oit) {
-    int width = oit->frame.x + oit->frame.width, height = oit->frame.y + oit->frame.height;
+    int right = oit->frame.x + oit->frame.width, top = oit->frame.y + oit->frame.height;
+    int width = right > 0 ? right : 1, height = top > 0 ? top : 1; /* a viewport may lie outside of its target */
     oit_result result = OIT_OK;
     if (oit->fetch_width < width || oit->fetch_height < height)
         result = oit_i_make_targets(oit, width > oit->fetch_width ? width : oit->fetch_width,
@@ -6041,9 +6058,7 @@ static oit_result oit_i_make_fetch(oit_context *oit) {
     if (oit->gl.gl_CheckFramebufferStatus(OIT_I_GL_DRAW_FRAMEBUFFER) == OIT_I_GL_FRAMEBUFFER_COMPLETE)
         return OIT_OK;
     oit_i_drop_fetch(oit);
-    return oit_i_fail(
-        &oit->desc, OIT_OUT_OF_MEMORY, "oit_begin",
-        "no memory for the layers of a pass, or the target's depth is neither a renderbuffer nor a 2D texture");
+    return oit_i_fail(&oit->desc, OIT_OUT_OF_MEMORY, "oit_begin", "no memory for the layers of a pass");
 }
 
 static oit_result oit_i_make_buffers(oit_context *oit) {
@@ -6189,6 +6204,9 @@ static oit_result oit_i_check_frame(oit_context *oit, const oit_frame *frame) {
                           "frame.depth: OIT_STORE_FETCH keeps no layers");
     if (frame->width < 0 || frame->height < 0)
         return oit_i_fail(&oit->desc, OIT_INVALID_ARGUMENT, "oit_begin", "frame.width or frame.height is negative");
+    if (frame->x < -32768 || frame->x > 32767 || frame->y < -32768 || frame->y > 32767) /* GL would move it, unasked */
+        return oit_i_fail(&oit->desc, OIT_INVALID_ARGUMENT, "oit_begin",
+                          "frame.x or frame.y is not in -32,768 ... 32,767");
     if (frame->width > oit->max_viewport[0] || frame->height > oit->max_viewport[1])
         return oit_i_fail(&oit->desc, OIT_TOO_LARGE, "oit_begin", "frame.width or frame.height");
     oit->layers = oit_i_layers(oit, (int64_t)frame->width * frame->height);
@@ -7776,7 +7794,8 @@ static int oit_i_kind_of_step(const oit_context *oit, oit_pass_kind *kind) {
 static int oit_i_has_step(const oit_context *oit, oit_i_step step) {
     if (step == OIT_I_STEP_MEASURE || step == OIT_I_STEP_CHECK)
         return oit->desc.fit == OIT_FIT_WAIT;
-    return step != OIT_I_STEP_SETTLE || oit_i_is_last_part(oit);
+    /* Settled when the last band of the slab is filled: those before need the counts as they are. */
+    return step != OIT_I_STEP_SETTLE || oit_i_part_end(oit) == oit->frame.width * oit->slab_rows;
 }
 
 /* OIT_STORE_FETCH: another pass, if there are layers left. */

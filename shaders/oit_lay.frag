@@ -10,16 +10,6 @@ void oit_lay_next(uvec4 layer, inout uvec4 last, inout uint copies)
     last = layer;
     oit_lay(layer, uvec4(0u));
 }
-
-void oit_count_lost(uint p, uint count)
-{
-    uint most = oit_step.w * uint(OIT_FETCHED);
-    oit_pixel[OIT_LEFT(p)] = count;
-    if (most == 0u || count <= most)
-        return;
-    atomicAdd(oit_pixel[OIT_LOST_PIXELS], 1u);
-    atomicAdd(oit_pixel[OIT_LOST], count - most);
-}
 #endif
 
 void main()
@@ -31,13 +21,14 @@ void main()
         oit_pixel[at + i] = 0u;
     for (uint i = 8u; i < 11u; ++i)
         oit_pixel[at + i] = floatBitsToUint(1.0);
-    if (p < OIT_HEADER)
-        oit_pixel[p] = 0u;
+    if (p == 0u && oit_step.x != 0u)
+        for (uint i = 0u; i < OIT_HEADER; ++i)
+            oit_pixel[i] = 0u;
 #else
     uvec4 last = uvec4(oit_pixel[at], oit_pixel[at + 1u], oit_pixel[at + 2u], oit_pixel[at + 3u]);
     uint copies = oit_pixel[at + 4u];
     if (copies == 0u)
-        oit_count_lost(p, oit_seen.y);
+        oit_pixel[OIT_LEFT(p)] = oit_seen.y;
     for (uint c = 0u; c < 3u; ++c)
         oit_sum[c] = uintBitsToFloat(oit_pixel[at + 5u + c]);
 #if OIT_HAS_BLEND

@@ -16,6 +16,9 @@ bool oit_find_run(uint p, out uint base, out uint n)
     if (fits)
         start += uint(max(int(oit_pixel[OIT_LEFT(p)]), 0));
     n = end - start;
+#if OIT_ASYNC && OIT_STORE == OIT_PREDICT // the run was as long as guessed
+    n = fits ? n : oit_pixel[OIT_SEEN(p)];
+#endif
     base = (start - oit_pool.y) * uint(OIT_VECTORS);
     return fits;
 }

@@ -19,6 +19,12 @@ void main()
         uint count = p < oit_pool.x ? oit_pixel[OIT_WANTED(p)] : 0u;
         sum = oit_add(sum, count);
         most = max(most, count);
+#if OIT_STORE == OIT_FETCH && OIT_ASYNC // layers beyond the passes that the frame has
+        if (count > oit_step.w * uint(OIT_FETCHED)) {
+            atomicAdd(oit_pixel[OIT_LOST_PIXELS], 1u);
+            atomicAdd(oit_pixel[OIT_LOST], count - oit_step.w * uint(OIT_FETCHED));
+        }
+#endif
         if (count > 0u)
             atomicAdd(oit_classes[oit_class(count)], 1u);
     }

@@ -25,7 +25,8 @@ vec4 oit_tail_amounts(vec4 color, uint blend, uint covered)
 #endif
 #if OIT_HAS_BLEND
     if (blend == 1u) { // add
-        weight = OIT_PREMULTIPLIED == 1 ? max(color.a, 1.0e-6) : color.a;
+        c = clamp(color.rgb, 0.0, 4.0); // premultiplied light needs no alpha
+        weight = OIT_PREMULTIPLIED == 1 ? 1.0 : color.a;
         thickness = 0.0;
     } else if (blend == 2u) { // multiply
         OIT_PRECISE float keep = 1.0 - color.a * (1.0 - min((c.r + c.g + c.b) / 3.0, 1.0));
