@@ -375,13 +375,86 @@ static void test_light_without_alpha_in_the_tail(void **state) {
     }
 }
 
+/* ---- what only a deep run, or a used one, shows ---- */
+
+/* Layers of one depth by their parts, each with its own colour, among so many that the run is deep: against the formula. */
+static void test_coincident_layers_of_deep_runs(void **state) {
+    (void)state;
+    const oit_desc desc = {.color = OIT_COLOR_FLOAT, .fields = OIT_FIELD_PART};
+    oit_scene *s = malloc(sizeof *s);
+    oit_setting t;
+    double expected[3] = {1, 1, 1};
+    oit_setting_open(&t, false, 4, 4, 0, GL_RGBA32F, desc);
+    oit_scene_init(s, 4, 4);
+    for (int i = 59; i >= 0; --i) { /* back to front: depths in steps of five, parts ascend */
+        const double d = -0.9 + 0.03 * (i / 5 * 5), z[4] = {d, d, d, d};
+        const double color[4] = {i % 3 * 0.5, i % 7 / 7.0, i % 5 * 0.25, 0.04 + 0.002 * i};
+        s->objects[oit_scene_quad(s, -1, -1, 1, 1, z, color)].part = (uint32_t)i;
+        for (int k = 0; k < 3; ++k)
+            expected[k] = color[3] * color[k] + (1 - color[3]) * expected[k];
+    }
+    oit_frame frame = oit_scene_frame(s, t.framebuffer);
+    oit_setting_clear(&t, s);
+    oit_scene_render(s, t.oit, &frame, NULL);
+    float *picture = oit_setting_read(&t, t.framebuffer);
+    for (int i = 0; i < 16; ++i)
+        for (int k = 0; k < 3; ++k)
+            assert_true(fabs((double)picture[4 * i + k] - expected[k]) < 1e-5);
+    free(picture);
+    oit_scene_drop(s);
+    oit_setting_close(&t);
+    free(s);
+}
+
+/* What was counted and does not come: the records of the frame before, which lie there still, are not composed. */
+static void test_fewer_than_counted(void **state) {
+    (void)state;
+    for (int depth = 4; depth < 50; depth += 40) {
+        const oit_desc desc = {.color = OIT_COLOR_FLOAT};
+        oit_scene *s = malloc(sizeof *s);
+        oit_setting t;
+        oit_pass pass;
+        float *pictures[2];
+        oit_setting_open(&t, false, 4, 4, 0, GL_RGBA32F, desc);
+        oit_scene_init(s, 4, 4);
+        oit_scene_sheets(s, depth, 0.1, false);
+        oit_frame frame = oit_scene_frame(s, t.framebuffer);
+        for (int run = 0; run < 3; ++run) {  /* all; all but one in the fill; all but one */
+            s->truths[1].transparent = true; /* or it would be drawn with what is opaque */
+            oit_setting_clear(&t, s);
+            oit_scene_expect(oit_begin(t.oit, &frame), "oit_begin");
+            while (oit_next_pass(t.oit, &pass)) {
+                s->truths[1].transparent = run == 0 || (run == 1 && pass.kind == OIT_PASS_COUNT);
+                oit_scene_draw(s, t.oit, &pass, NULL);
+            }
+            oit_scene_expect(oit_compose(t.oit), "oit_compose");
+            oit_scene_expect(oit_end(t.oit), "oit_end");
+            if (run)
+                pictures[run - 1] = oit_setting_read(&t, t.framebuffer);
+        }
+        assert_memory_equal(pictures[0], pictures[1], 4 * 16 * sizeof(float));
+        free(pictures[0]);
+        free(pictures[1]);
+        oit_scene_drop(s);
+        oit_setting_close(&t);
+        free(s);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_coverage_with_each_store),      cmocka_unit_test(test_adaptive_alpha_where_it_waits),
-        cmocka_unit_test(test_blends_with_each_store),        cmocka_unit_test(test_places_with_each_store),
-        cmocka_unit_test(test_picks_with_each_store),         cmocka_unit_test(test_picks_of_lost_pixels),
-        cmocka_unit_test(test_fetch_refuses_what_it_has_not), cmocka_unit_test(test_totals_of_tiny_images),
-        cmocka_unit_test(test_losses_of_all_slabs),           cmocka_unit_test(test_light_without_alpha_in_the_tail),
+        cmocka_unit_test(test_coverage_with_each_store),
+        cmocka_unit_test(test_adaptive_alpha_where_it_waits),
+        cmocka_unit_test(test_blends_with_each_store),
+        cmocka_unit_test(test_places_with_each_store),
+        cmocka_unit_test(test_picks_with_each_store),
+        cmocka_unit_test(test_picks_of_lost_pixels),
+        cmocka_unit_test(test_fetch_refuses_what_it_has_not),
+        cmocka_unit_test(test_totals_of_tiny_images),
+        cmocka_unit_test(test_losses_of_all_slabs),
+        cmocka_unit_test(test_light_without_alpha_in_the_tail),
+        cmocka_unit_test(test_coincident_layers_of_deep_runs),
+        cmocka_unit_test(test_fewer_than_counted),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
