@@ -6,7 +6,7 @@
 // the rows' the nearest, of equally near ones that nearest to the eye. A texel stands for the middle of its pixels; twice the
 // positions are integers. Steps go outward from there: left and right, up and down, are one step.
 uniform highp sampler2D tr_see_depth; // of targets
-uniform highp sampler2D tr_see_mark;  // of targets: strength, 0 where there is none; active
+uniform highp sampler2D tr_see_mark;  // of targets: in alpha the strength, 0 where there is none; in blue 1 where active
 #if TR_SPREAD != 0
 uniform highp sampler2D tr_see_rows; // the step before this one's
 #endif
@@ -18,7 +18,7 @@ void main()
     ivec2 first = ivec2(int(gl_FragCoord.x) * 8, int(gl_FragCoord.y));
     int bits = 0, count = min(8, int(tr_viewport.z) - first.x);
     for (int i = 0; i < count; ++i)
-        bits |= texelFetch(tr_see_mark, first + ivec2(i, 0), 0).r > 0.0 ? 1 << i : 0;
+        bits |= texelFetch(tr_see_mark, first + ivec2(i, 0), 0).a > 0.0 ? 1 << i : 0;
     tr_color = vec4(float(bits) * (1.0 / 255.0));
 }
 #elif TR_SPREAD == 1
@@ -87,7 +87,7 @@ void main()
     gl_FragDepth = TR_CLEAR_DEPTH;
     if (nearest.x < 0)
         return;
-    tr_color = vec4(0.5 * sqrt(float(least)) / float(steps), texelFetch(tr_see_mark, nearest, 0).rg, 0.0);
+    tr_color = vec4(0.5 * sqrt(float(least)) / float(steps), texelFetch(tr_see_mark, nearest, 0).ab, 0.0);
     gl_FragDepth = texelFetch(tr_see_depth, nearest, 0).r;
 }
 #endif
