@@ -1871,9 +1871,9 @@ static const char *const tr_i_shader_see_spread_frag[] = {
     "// How far the nearest pixel of a target is: exact, by rows and then across them.\n"
     "//\n"
     "// TR_SPREAD 0: eight pixels of a row as bits, so that the next steps over empty space are long ones. TR_SPREAD 1: in its\n"
-    "// row, for each texel of masks, as the pixels from the texel's first one to it, plus 128, in 255ths; 0: none. TR_SPREAD 2: of\n"
-    "// the rows' the nearest, of equally near ones that nearest to the eye. A texel stands for the middle of its pixels; twice the\n"
-    "// positions are integers. Steps go outward from there: left and right, up and down, are one step.\n"
+    "// row, for each texel of masks, as the pixels from the texel's first one to it, plus 128, in 255ths; 0: none; of four rows\n"
+    "// at once, so that the next step reads them at once. TR_SPREAD 2: of the rows' the nearest, of equally near ones that\n"
+    "// nearest to the eye. A texel stands for the middle of its pixels; twice the positions are integers. Steps go outward.\n"
     "uniform highp sampler2D tr_see_depth; // of targets\n"
     "uniform highp sampler2D tr_see_mark;  // of targets: in alpha the strength, 0 where there is none; in blue 1 where active\n"
     "#if TR_SPREAD != 0\n"
@@ -1902,10 +1902,10 @@ static const char *const tr_i_shader_see_spread_frag[] = {
     "    return int(texelFetch(tr_see_rows, ivec2(block, y), 0).r * 255.0 + 0.5);\n"
     "}\n"
     "\n"
-    "void main()\n"
+    "highp float tr_nearest_in(int y)\n"
     "{\n"
     "    int divisor = tr_see_grid.x, reach = tr_see_grid.w + 2 * divisor, first = int(gl_FragCoord.x) * divisor;\n"
-    "    int y = int(gl_FragCoord.y), from_left = first + (divisor - 1) / 2, from_right = first + divisor / 2;\n"
+    "    int from_left = first + (divisor - 1) / 2, from_right = first + divisor / 2;\n"
     "    int left = -0x10000, right = 0x10000;\n"
     "    int lowest = max(from_left - reach, 0), highest = min(from_right + reach, int(tr_viewport.z) - 1);\n"
     "    for (int block = from_left >> 3, mask = (2 << (from_left & 7)) - 1; block * 8 + 7 >= lowest; --block, mask = 255) {\n"
@@ -1927,32 +1927,45 @@ static const char *const tr_i_shader_see_spread_frag[] = {
     "    if (to_left == to_right && to_left <= reach)\n"
     "        at_left = TR_BEHIND(texelFetch(tr_see_depth, ivec2(right, y), 0).r, texelFetch(tr_see_depth, ivec2(left, y), 0).r);\n"
     "    int found = min(to_left, to_right) <= reach ? (at_left ? left : right) - first + 128 : 0;\n"
-    "    tr_color = vec4(float(found) * (1.0 / 255.0));\n"
+    "    return float(found) * (1.0 / 255.0);\n"
+    "}\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    tr_color = vec4(0.0);\n"
+    "    for (int i = 0, y = 4 * int(gl_FragCoord.y); i < 4 && y + i < int(tr_viewport.w); ++i)\n"
+    "        tr_color[i] = tr_nearest_in(y + i);\n"
     "}\n"
     "#else\n"
     "void main()\n"
     "{\n"
     "    ivec2 texel = ivec2(gl_FragCoord.xy), first = texel * tr_see_grid.x, nearest = ivec2(-1);\n"
-    "    int divisor = tr_see_grid.x, steps = tr_see_grid.w + 2 * divisor, none = 4 * steps * steps, least = none;\n"
-    "    for (int i = 0; i <= steps && 4 * i * i <= least; ++i) {\n"
-    "        for (int side = 0; side < 2; ++side) {\n"
-    "            int y = side == 0 ? first.y + (divisor - 1) / 2 - i : first.y + divisor / 2 + i;\n"
-    "            if (y < 0 || y >= int(tr_viewport.w))\n"
+    "    int divisor = tr_see_grid.x, steps = tr_see_grid.w + 2 * divisor, least = 4 * steps * steps;\n"
+    "    int middle = first.y >> 2, last = (int(tr_viewport.w) - 1) >> 2;\n"
+    "    // Four rows at a time, outward: those i texels away are 4 * i - 3 and more pixels away, less the texel's own.\n"
+    "    for (int i = 0; i == 0 || 4 * i - 3 - divisor <= 0 || (4 * i - 3 - divisor) * (4 * i - 3 - divisor) * 4 <= least; ++i) {\n"
+    "        for (int side = 0; side < (i == 0 ? 1 : 2); ++side) {\n"
+    "            int four = side == 0 ? middle - i : middle + i;\n"
+    "            if (four < 0 || four > last)\n"
     "                continue;\n"
-    "            int found = int(texelFetch(tr_see_rows, ivec2(texel.x, y), 0).r * 255.0 + 0.5) - 128;\n"
-    "            if (found == -128)\n"
+    "            ivec4 found = ivec4(texelFetch(tr_see_rows, ivec2(texel.x, four), 0) * 255.0 + 0.5);\n"
+    "            if (found == ivec4(0))\n"
     "                continue;\n"
-    "            ivec2 pixel = ivec2(first.x + found, y), offset = 2 * (pixel - first) - divisor + 1;\n"
-    "            int square = offset.x * offset.x + offset.y * offset.y;\n"
-    "            if (square < least ||\n"
-    "                (square == least && nearest.x >= 0 &&\n"
-    "                 TR_BEHIND(texelFetch(tr_see_depth, nearest, 0).r, texelFetch(tr_see_depth, pixel, 0).r))) {\n"
-    "                least = square;\n"
-    "                nearest = pixel;\n"
+    "            for (int k = 0; k < 4; ++k) {\n",
+    "#line 86\n"
+    "                if (found[k] == 0)\n"
+    "                    continue;\n"
+    "                ivec2 pixel = ivec2(first.x + found[k] - 128, 4 * four + k), offset = 2 * (pixel - first) - divisor + 1;\n"
+    "                int square = offset.x * offset.x + offset.y * offset.y;\n"
+    "                if (square < least ||\n"
+    "                    (square == least && nearest.x >= 0 &&\n"
+    "                     TR_BEHIND(texelFetch(tr_see_depth, nearest, 0).r, texelFetch(tr_see_depth, pixel, 0).r))) {\n"
+    "                    least = square;\n"
+    "                    nearest = pixel;\n"
+    "                }\n"
     "            }\n"
     "        }\n"
-    "    }\n",
-    "#line 86\n"
+    "    }\n"
     "    tr_color = vec4(1.0, 0.0, 0.0, 0.0);\n"
     "    gl_FragDepth = TR_CLEAR_DEPTH;\n"
     "    if (nearest.x < 0)\n"
@@ -1967,7 +1980,8 @@ static const char *const tr_i_shader_see_tile_vert[] = {
     "// For: transparency.h\n"
     "// Six vertices a tile: passes of dynamic transparency cover the cells that have masks, and no more.\n"
     "//\n"
-    "// TR_COARSE_X, TR_COARSE_Y: 1 where the texture has a texel for tr_see_grid.x pixels; 2: for eight.\n"
+    "// TR_COARSE_X, TR_COARSE_Y: 1 where the texture has a texel for tr_see_grid.x pixels; 2: for eight across, four\n"
+    "// up.\n"
     "void main()\n"
     "{\n"
     "    int tile = gl_VertexID / 6, corner = gl_VertexID - 6 * tile, divisor = tr_see_grid.x;\n"
@@ -1982,7 +1996,9 @@ static const char *const tr_i_shader_see_tile_vert[] = {
     "#elif TR_COARSE_X == 1\n"
     "    size.x = (size.x + divisor - 1) / divisor * divisor;\n"
     "#endif\n"
-    "#if TR_COARSE_Y == 1\n"
+    "#if TR_COARSE_Y == 2\n"
+    "    size.y = (size.y + 3) / 4 * 4;\n"
+    "#elif TR_COARSE_Y == 1\n"
     "    size.y = (size.y + divisor - 1) / divisor * divisor;\n"
     "#endif\n"
     "    gl_Position = vec4(vec2(ivec2(x, y) * tr_see_grid.y) / vec2(size) * 2.0 - 1.0, 0.0, 1.0);\n"
@@ -3396,7 +3412,7 @@ enum {
     TR_I_SEE_DEPTH,      /* of blocks and targets; then of what shows through masks */
     TR_I_SEE_MARK,       /* of the nearest target: id in two bytes, whether it is active, strength */
     TR_I_SEE_BITS,       /* eight pixels a texel: which are a target's */
-    TR_I_SEE_ROWS,       /* a row of texels each pixel high: where the nearest pixel of a target is in it */
+    TR_I_SEE_ROWS,       /* of four rows of pixels a texel: where the nearest pixel of a target is in each */
     TR_I_SEE_LOW,        /* the mask's texels: distance, strength, whether it is active */
     TR_I_SEE_LOW_DEPTH,  /* their depth */
     TR_I_SEE_MASK,       /* opacity before importance, strength */
@@ -6013,7 +6029,9 @@ static void tr_i_see_source(tr_i_source *source, tr_stage stage, int program) {
         tr_i_add(source, bits          ? "#define TR_COARSE_X 2\n"
                          : rows || low ? "#define TR_COARSE_X 1\n"
                                        : "#define TR_COARSE_X 0\n");
-        tr_i_add(source, low ? "#define TR_COARSE_Y 1\n" : "#define TR_COARSE_Y 0\n");
+        tr_i_add(source, low    ? "#define TR_COARSE_Y 1\n"
+                         : rows ? "#define TR_COARSE_Y 2\n"
+                                : "#define TR_COARSE_Y 0\n");
         tr_i_add_chunks(source, tr_i_shader_see_tile_vert);
         return;
     }
@@ -6533,7 +6551,7 @@ static tr_i_see_format tr_i_see_format_of(int texture, int srgb) {
         {TR_I_GL_DEPTH_COMPONENT32F, TR_I_GL_DEPTH_COMPONENT, TR_I_GL_FLOAT, 4, 0, 0},
         {TR_I_GL_RGBA8, TR_I_GL_RGBA, TR_I_GL_UNSIGNED_BYTE, 4, 0, 0},
         {TR_I_GL_R8, TR_I_GL_RED, TR_I_GL_UNSIGNED_BYTE, 1, 3, 0},
-        {TR_I_GL_R8, TR_I_GL_RED, TR_I_GL_UNSIGNED_BYTE, 1, 1, 0},
+        {TR_I_GL_RGBA8, TR_I_GL_RGBA, TR_I_GL_UNSIGNED_BYTE, 4, 1, 2},
         {TR_I_GL_RGBA8, TR_I_GL_RGBA, TR_I_GL_UNSIGNED_BYTE, 4, 1, 1},
         {TR_I_GL_DEPTH_COMPONENT32F, TR_I_GL_DEPTH_COMPONENT, TR_I_GL_FLOAT, 4, 1, 1},
         {TR_I_GL_RG8, TR_I_GL_RG, TR_I_GL_UNSIGNED_BYTE, 2, 0, 0},
