@@ -430,7 +430,7 @@ typedef enum tr_pass_kind {
     TR_PASS_TAKE_OPAQUE,       /* full screen, before TR_PASS_OPAQUE: the same, from the host's textures */
     /* of tr_begin_dynamic; the host draws pass.units in those that are not called full screen */
     TR_PASS_BLOCK,        /* depth of what closes masks */
-    TR_PASS_TARGETS,      /* depth and strength of the nearest target */
+    TR_PASS_TARGETS,      /* depth, strength and colour of the nearest target */
     TR_PASS_BITS,         /* full screen, as are all of these five: pixels of targets, packed */
     TR_PASS_SPREAD_X,     /* the nearest of them in each row */
     TR_PASS_SPREAD_Y,     /* nearest of all, at the mask's resolution */
@@ -1605,7 +1605,8 @@ static const char *const tr_i_shader_see_block_glsl[] = {
     "    highp vec4 tr_cool;           // rgb, and how much diffuse colour is mixed in\n"
     "    highp vec4 tr_warm;\n"
     "    highp vec4 tr_viewport;       // x, y, width, height of the target's viewport\n"
-    "    highp vec4 tr_see_law;        // opacity before a target, and beside it; width of the gradient; how many lights\n"
+    "    highp vec4 tr_see_law;        // opacity before a target, and beside it; width of the gradient; how many lights,\n"
+    "                                  // or -1: none, and targets are drawn in colour\n"
     "    highp vec4 tr_see_background; // rgb: where nothing is drawn; a: 1 where each occluder counts on its own\n"
     "    highp ivec4 tr_see_grid;      // pixels a texel of masks; a cell; frame index; pixels that masks reach\n"
     "    highp vec4 tr_see_lights[8];  // x, y, radius, edge, pixels of the viewport\n"
@@ -1693,7 +1694,7 @@ static const char *const tr_i_shader_see_finish_frag[] = {
     "void main()\n"
     "{\n"
     "    ivec2 pixel = ivec2(gl_FragCoord.xy);\n"
-    "    highp vec2 mark = texelFetch(tr_see_mark, pixel, 0).rg;\n"
+    "    highp vec2 mark = texelFetch(tr_see_mark, pixel, 0).ab;\n"
     "    highp float opacity = tr_see_law.x, depth;\n"
     "    if (mark.r > 0.0) {\n"
     "        depth = texelFetch(tr_see_depth, pixel, 0).r;\n"
@@ -1711,7 +1712,7 @@ static const char *const tr_i_shader_see_finish_frag[] = {
     "        discard;\n"
     "#endif\n"
     "    }\n"
-    "    if (mark.g > 0.5)\n"
+    "    if (tr_see_law.w > 0.0 && mark.g > 0.5)\n"
     "        opacity = 1.0 - tr_light_at(vec2(pixel) + 0.5) * (1.0 - opacity);\n"
     "    tr_color = vec4(opacity, mark.r, 0.0, 0.0);\n"
     "    gl_FragDepth = depth;\n"
@@ -1720,17 +1721,27 @@ static const char *const tr_i_shader_see_finish_frag[] = {
 static const char *const tr_i_shader_see_prime_frag[] = {
     "#line 1\n"
     "// For: transparency.h\n"
-    "// Opens the depth buffer where a mask is, and nowhere else: the depth test then stops all else before it is shaded.\n"
+    "// Opens the depth buffer where a mask is, and nowhere else: the depth test then stops all else before it is shaded. Where\n"
+    "// the target was drawn in colour, that is there already: only what is before it may cover it.\n"
     "uniform highp sampler2D tr_see_mask;\n"
+    "#if TR_HAS_COLOR\n"
+    "uniform highp sampler2D tr_see_depth;  // of the mask\n"
+    "uniform highp sampler2D tr_see_behind; // in alpha the strength, 0 where there is no target\n"
+    "#endif\n"
     "layout(location = 0) out highp vec4 tr_color;\n"
     "\n"
     "void main()\n"
     "{\n"
-    "    highp vec2 mask = texelFetch(tr_see_mask, ivec2(gl_FragCoord.xy), 0).rg;\n"
+    "    ivec2 pixel = ivec2(gl_FragCoord.xy);\n"
+    "    highp vec2 mask = texelFetch(tr_see_mask, pixel, 0).rg;\n"
     "    if (mask.r == 1.0 || mask.g == 0.0)\n"
     "        discard;\n"
     "    tr_color = vec4(tr_see_background.rgb, 1.0);\n"
     "    gl_FragDepth = TR_CLEAR_DEPTH;\n"
+    "#if TR_HAS_COLOR\n"
+    "    if (texelFetch(tr_see_behind, pixel, 0).a > 0.0)\n"
+    "        gl_FragDepth = texelFetch(tr_see_depth, pixel, 0).r;\n"
+    "#endif\n"
     "}\n",
     0};
 static const char *const tr_i_shader_see_query_frag[] = {
@@ -1744,7 +1755,7 @@ static const char *const tr_i_shader_see_query_frag[] = {
     "{\n"
     "    ivec2 size = ivec2(tr_viewport.zw);\n"
     "    ivec2 pixel = min(ivec2(gl_FragCoord.xy * tr_viewport.zw / vec2((size + 3) >> 2)), size - 1);\n"
-    "    tr_color = vec4(texelFetch(tr_see_mark, pixel, 0).ba, 0.0, 0.0);\n"
+    "    tr_color = vec4(texelFetch(tr_see_mark, pixel, 0).rg, 0.0, 0.0);\n"
     "}\n",
     0};
 static const char *const tr_i_shader_see_rules_glsl[] = {
@@ -1756,7 +1767,7 @@ static const char *const tr_i_shader_see_rules_glsl[] = {
     "// location 0. code: what tr_unit_code makes. Bits 0 to 15: id, from 16 flags, from 24 importance in 255ths.\n"
     "#define TR_RULE_SEE_PLAIN 15  // nothing\n"
     "#define TR_RULE_SEE_BLOCK 16  // depth of what closes masks\n"
-    "#define TR_RULE_SEE_TARGET 17 // depth and mark of the nearest target\n"
+    "#define TR_RULE_SEE_TARGET 17 // depth, and colour or mark, of the nearest target\n"
     "#define TR_RULE_SEE_BEHIND 18 // what shows through masks\n"
     "#define TR_RULE_SEE_YIELD 19  // importance of the front-most unit\n"
     "#define TR_RULE_SEE_DITHER 20 // the whole scene, with holes\n"
@@ -1820,8 +1831,9 @@ static const char *const tr_i_shader_see_rules_glsl[] = {
     "#elif TR_RULE == TR_RULE_SEE_TARGET\n"
     "    if (!tr_see_is(code, 1u) || (code >> 24) == 0u)\n"
     "        discard;\n"
-    "    color = vec4(tr_see_importance(code), tr_see_is(code, 16u) ? 1.0 : 0.0, float(code & 255u) * (1.0 / 255.0),\n"
-    "                 float((code >> 8) & 255u) * (1.0 / 255.0));\n"
+    "    if (tr_see_law.w >= 0.0)\n"
+    "        color.rgb = vec3(float(code & 255u) * (1.0 / 255.0), float((code >> 8) & 255u) * (1.0 / 255.0), tr_see_is(code, 16u) ? 1.0 : 0.0);\n"
+    "    color.a = tr_see_importance(code);\n"
     "#elif TR_RULE == TR_RULE_SEE_BEHIND\n"
     "    if (tr_see_keeps(code))\n"
     "        return;\n"
@@ -1842,7 +1854,7 @@ static const char *const tr_i_shader_see_rules_glsl[] = {
     "        tr_see_threshold(pixel, code) >= alpha)\n"
     "        discard;\n"
     "#elif TR_RULE == TR_RULE_SEE_HIDES\n",
-    "#line 94\n"
+    "#line 95\n"
     "    // A texel's fragment stands at its middle: the pixel that it is compared with is there.\n"
     "    ivec2 size = ivec2(tr_viewport.zw);\n"
     "    ivec2 pixel = min(ivec2(gl_FragCoord.xy * tr_viewport.zw / vec2((size + 3) >> 2)), size - 1);\n"
@@ -1859,11 +1871,11 @@ static const char *const tr_i_shader_see_spread_frag[] = {
     "// How far the nearest pixel of a target is: exact, by rows and then across them.\n"
     "//\n"
     "// TR_SPREAD 0: eight pixels of a row as bits, so that the next steps over empty space are long ones. TR_SPREAD 1: in its\n"
-    "// row, for each texel of masks, as the pixels from the texel's first one to it, plus 128, in 255ths; 0: none. TR_SPREAD 2: of\n"
-    "// the rows' the nearest, of equally near ones that nearest to the eye. A texel stands for the middle of its pixels; twice the\n"
-    "// positions are integers. Steps go outward from there: left and right, up and down, are one step.\n"
+    "// row, for each texel of masks, as the pixels from the texel's first one to it, plus 128, in 255ths; 0: none; of four rows\n"
+    "// at once, so that the next step reads them at once. TR_SPREAD 2: of the rows' the nearest, of equally near ones that\n"
+    "// nearest to the eye. A texel stands for the middle of its pixels; twice the positions are integers. Steps go outward.\n"
     "uniform highp sampler2D tr_see_depth; // of targets\n"
-    "uniform highp sampler2D tr_see_mark;  // of targets: strength, 0 where there is none; active\n"
+    "uniform highp sampler2D tr_see_mark;  // of targets: in alpha the strength, 0 where there is none; in blue 1 where active\n"
     "#if TR_SPREAD != 0\n"
     "uniform highp sampler2D tr_see_rows; // the step before this one's\n"
     "#endif\n"
@@ -1875,7 +1887,7 @@ static const char *const tr_i_shader_see_spread_frag[] = {
     "    ivec2 first = ivec2(int(gl_FragCoord.x) * 8, int(gl_FragCoord.y));\n"
     "    int bits = 0, count = min(8, int(tr_viewport.z) - first.x);\n"
     "    for (int i = 0; i < count; ++i)\n"
-    "        bits |= texelFetch(tr_see_mark, first + ivec2(i, 0), 0).r > 0.0 ? 1 << i : 0;\n"
+    "        bits |= texelFetch(tr_see_mark, first + ivec2(i, 0), 0).a > 0.0 ? 1 << i : 0;\n"
     "    tr_color = vec4(float(bits) * (1.0 / 255.0));\n"
     "}\n"
     "#elif TR_SPREAD == 1\n"
@@ -1890,10 +1902,10 @@ static const char *const tr_i_shader_see_spread_frag[] = {
     "    return int(texelFetch(tr_see_rows, ivec2(block, y), 0).r * 255.0 + 0.5);\n"
     "}\n"
     "\n"
-    "void main()\n"
+    "highp float tr_nearest_in(int y)\n"
     "{\n"
     "    int divisor = tr_see_grid.x, reach = tr_see_grid.w + 2 * divisor, first = int(gl_FragCoord.x) * divisor;\n"
-    "    int y = int(gl_FragCoord.y), from_left = first + (divisor - 1) / 2, from_right = first + divisor / 2;\n"
+    "    int from_left = first + (divisor - 1) / 2, from_right = first + divisor / 2;\n"
     "    int left = -0x10000, right = 0x10000;\n"
     "    int lowest = max(from_left - reach, 0), highest = min(from_right + reach, int(tr_viewport.z) - 1);\n"
     "    for (int block = from_left >> 3, mask = (2 << (from_left & 7)) - 1; block * 8 + 7 >= lowest; --block, mask = 255) {\n"
@@ -1915,37 +1927,50 @@ static const char *const tr_i_shader_see_spread_frag[] = {
     "    if (to_left == to_right && to_left <= reach)\n"
     "        at_left = TR_BEHIND(texelFetch(tr_see_depth, ivec2(right, y), 0).r, texelFetch(tr_see_depth, ivec2(left, y), 0).r);\n"
     "    int found = min(to_left, to_right) <= reach ? (at_left ? left : right) - first + 128 : 0;\n"
-    "    tr_color = vec4(float(found) * (1.0 / 255.0));\n"
+    "    return float(found) * (1.0 / 255.0);\n"
+    "}\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    tr_color = vec4(0.0);\n"
+    "    for (int i = 0, y = 4 * int(gl_FragCoord.y); i < 4 && y + i < int(tr_viewport.w); ++i)\n"
+    "        tr_color[i] = tr_nearest_in(y + i);\n"
     "}\n"
     "#else\n"
     "void main()\n"
     "{\n"
     "    ivec2 texel = ivec2(gl_FragCoord.xy), first = texel * tr_see_grid.x, nearest = ivec2(-1);\n"
-    "    int divisor = tr_see_grid.x, steps = tr_see_grid.w + 2 * divisor, none = 4 * steps * steps, least = none;\n"
-    "    for (int i = 0; i <= steps && 4 * i * i <= least; ++i) {\n"
-    "        for (int side = 0; side < 2; ++side) {\n"
-    "            int y = side == 0 ? first.y + (divisor - 1) / 2 - i : first.y + divisor / 2 + i;\n"
-    "            if (y < 0 || y >= int(tr_viewport.w))\n"
+    "    int divisor = tr_see_grid.x, steps = tr_see_grid.w + 2 * divisor, least = 4 * steps * steps;\n"
+    "    int middle = first.y >> 2, last = (int(tr_viewport.w) - 1) >> 2;\n"
+    "    // Four rows at a time, outward: those i texels away are 4 * i - 3 and more pixels away, less the texel's own.\n"
+    "    for (int i = 0; i == 0 || 4 * i - 3 - divisor <= 0 || (4 * i - 3 - divisor) * (4 * i - 3 - divisor) * 4 <= least; ++i) {\n"
+    "        for (int side = 0; side < (i == 0 ? 1 : 2); ++side) {\n"
+    "            int four = side == 0 ? middle - i : middle + i;\n"
+    "            if (four < 0 || four > last)\n"
     "                continue;\n"
-    "            int found = int(texelFetch(tr_see_rows, ivec2(texel.x, y), 0).r * 255.0 + 0.5) - 128;\n"
-    "            if (found == -128)\n"
+    "            ivec4 found = ivec4(texelFetch(tr_see_rows, ivec2(texel.x, four), 0) * 255.0 + 0.5);\n"
+    "            if (found == ivec4(0))\n"
     "                continue;\n"
-    "            ivec2 pixel = ivec2(first.x + found, y), offset = 2 * (pixel - first) - divisor + 1;\n"
-    "            int square = offset.x * offset.x + offset.y * offset.y;\n"
-    "            if (square < least ||\n"
-    "                (square == least && nearest.x >= 0 &&\n"
-    "                 TR_BEHIND(texelFetch(tr_see_depth, nearest, 0).r, texelFetch(tr_see_depth, pixel, 0).r))) {\n"
-    "                least = square;\n"
-    "                nearest = pixel;\n"
+    "            for (int k = 0; k < 4; ++k) {\n",
+    "#line 86\n"
+    "                if (found[k] == 0)\n"
+    "                    continue;\n"
+    "                ivec2 pixel = ivec2(first.x + found[k] - 128, 4 * four + k), offset = 2 * (pixel - first) - divisor + 1;\n"
+    "                int square = offset.x * offset.x + offset.y * offset.y;\n"
+    "                if (square < least ||\n"
+    "                    (square == least && nearest.x >= 0 &&\n"
+    "                     TR_BEHIND(texelFetch(tr_see_depth, nearest, 0).r, texelFetch(tr_see_depth, pixel, 0).r))) {\n"
+    "                    least = square;\n"
+    "                    nearest = pixel;\n"
+    "                }\n"
     "            }\n"
     "        }\n"
-    "    }\n",
-    "#line 86\n"
+    "    }\n"
     "    tr_color = vec4(1.0, 0.0, 0.0, 0.0);\n"
     "    gl_FragDepth = TR_CLEAR_DEPTH;\n"
     "    if (nearest.x < 0)\n"
     "        return;\n"
-    "    tr_color = vec4(0.5 * sqrt(float(least)) / float(steps), texelFetch(tr_see_mark, nearest, 0).rg, 0.0);\n"
+    "    tr_color = vec4(0.5 * sqrt(float(least)) / float(steps), texelFetch(tr_see_mark, nearest, 0).ab, 0.0);\n"
     "    gl_FragDepth = texelFetch(tr_see_depth, nearest, 0).r;\n"
     "}\n"
     "#endif\n",
@@ -1955,7 +1980,8 @@ static const char *const tr_i_shader_see_tile_vert[] = {
     "// For: transparency.h\n"
     "// Six vertices a tile: passes of dynamic transparency cover the cells that have masks, and no more.\n"
     "//\n"
-    "// TR_COARSE_X, TR_COARSE_Y: 1 where the texture has a texel for tr_see_grid.x pixels; 2: for eight.\n"
+    "// TR_COARSE_X, TR_COARSE_Y: 1 where the texture has a texel for tr_see_grid.x pixels; 2: for eight across, four\n"
+    "// up.\n"
     "void main()\n"
     "{\n"
     "    int tile = gl_VertexID / 6, corner = gl_VertexID - 6 * tile, divisor = tr_see_grid.x;\n"
@@ -1970,7 +1996,9 @@ static const char *const tr_i_shader_see_tile_vert[] = {
     "#elif TR_COARSE_X == 1\n"
     "    size.x = (size.x + divisor - 1) / divisor * divisor;\n"
     "#endif\n"
-    "#if TR_COARSE_Y == 1\n"
+    "#if TR_COARSE_Y == 2\n"
+    "    size.y = (size.y + 3) / 4 * 4;\n"
+    "#elif TR_COARSE_Y == 1\n"
     "    size.y = (size.y + divisor - 1) / divisor * divisor;\n"
     "#endif\n"
     "    gl_Position = vec4(vec2(ivec2(x, y) * tr_see_grid.y) / vec2(size) * 2.0 - 1.0, 0.0, 1.0);\n"
@@ -3294,6 +3322,7 @@ enum {
     TR_I_PROGRAM_FINISH,
     TR_I_PROGRAM_FINISH_BARE, /* no gradient */
     TR_I_PROGRAM_PRIME,
+    TR_I_PROGRAM_PRIME_COLOR, /* targets have their colour */
     TR_I_PROGRAM_COMPOSE_MASK,
     TR_I_PROGRAM_COMPOSE_YIELD,
     TR_I_PROGRAM_QUERY,
@@ -3381,14 +3410,14 @@ typedef struct tr_i_law {
 /* Textures and framebuffers of dynamic transparency; sizes follow from the viewport and the mask's divisor. */
 enum {
     TR_I_SEE_DEPTH,      /* of blocks and targets; then of what shows through masks */
-    TR_I_SEE_MARK,       /* of the nearest target: strength, whether it is active, id in two bytes */
+    TR_I_SEE_MARK,       /* of the nearest target: id in two bytes, whether it is active, strength */
     TR_I_SEE_BITS,       /* eight pixels a texel: which are a target's */
-    TR_I_SEE_ROWS,       /* a row of texels each pixel high: where the nearest pixel of a target is in it */
+    TR_I_SEE_ROWS,       /* of four rows of pixels a texel: where the nearest pixel of a target is in each */
     TR_I_SEE_LOW,        /* the mask's texels: distance, strength, whether it is active */
     TR_I_SEE_LOW_DEPTH,  /* their depth */
     TR_I_SEE_MASK,       /* opacity before importance, strength */
     TR_I_SEE_MASK_DEPTH, /* what lies before it yields */
-    TR_I_SEE_BEHIND,     /* colour of what shows through masks */
+    TR_I_SEE_BEHIND,     /* colour of what shows through masks; where targets have theirs, first that, and strength */
     TR_I_SEE_YIELD,      /* importance of the front-most unit */
     TR_I_SEE_QUERY,      /* 4 by 4 pixels a texel: id in two bytes, whether something lies before it */
     TR_I_SEE_TEXTURE_COUNT
@@ -3403,6 +3432,7 @@ enum {
     TR_I_SEE_FBO_BEHIND,
     TR_I_SEE_FBO_YIELD,
     TR_I_SEE_FBO_QUERY,
+    TR_I_SEE_FBO_PRIME,
     TR_I_SEE_FBO_COUNT
 };
 
@@ -3433,6 +3463,7 @@ typedef struct tr_i_answer {
 typedef struct tr_i_see {
     int active;  /* this frame is of tr_begin_dynamic */
     int partial; /* some importance of an occluder is neither 0 nor 1 */
+    int colored; /* the pass of targets takes their colour, so that they are not drawn again */
     int step;
     int entered; /* whose state it is: TR_I_OUTSIDE, ... */
     tr_i_law law;
@@ -4483,7 +4514,7 @@ static void tr_i_find_masks(tr_i_see *see, const tr_dynamic *dynamic) {
 /* Who is drawn again, by the masks that it meets. */
 static void tr_i_list_units(tr_i_see *see, const tr_dynamic *dynamic) {
     const tr_i_grid *grid = &see->grid;
-    size_t i;
+    size_t i, next = 0;
     int cells[4];
     for (i = 0; i < dynamic->unit_count; ++i) {
         tr_unit unit = tr_i_unit_at(dynamic, i);
@@ -4501,7 +4532,9 @@ static void tr_i_list_units(tr_i_see *see, const tr_dynamic *dynamic) {
             see->partial |= yields && importance > 0.0f;
         }
         /* What lies before all masks that it meets would be discarded to the last fragment. */
-        if (!yields || importance > 0.0f || tr_i_any_cell(grid->nearest_target, cells, place->last, 1.0f))
+        if (see->colored && next < see->counts[TR_I_UNITS_TARGETS] && see->lists[TR_I_UNITS_TARGETS][next] == i)
+            ++next; /* is there already */
+        else if (!yields || importance > 0.0f || tr_i_any_cell(grid->nearest_target, cells, place->last, 1.0f))
             tr_i_list(see, TR_I_UNITS_BEHIND, i);
     }
 }
@@ -4626,6 +4659,8 @@ static void tr_i_find_units(tr_i_see *see, const tr_dynamic *dynamic, int width,
 static void tr_i_plan_see(tr_i_see *see, const tr_dynamic *dynamic, int width, int height) {
     see->law = tr_i_law_of(dynamic);
     see->partial = 0;
+    /* Lights and queries ask for more of a target than fits beside its colour. */
+    see->colored = dynamic->see == TR_SEE_ONE_MASK && dynamic->light_count == 0 && !dynamic->query;
     memset(&see->plan, 0, sizeof see->plan);
     if (width == 0 || height == 0) {
         see->plan.see = TR_SEE_OFF;
@@ -5776,6 +5811,9 @@ static void tr_i_apply(const tr_context *tr, const tr_state *state) {
                                                                        : 2);
     if (tr->has_indexed)
         tr_i_switch_of(tr, TR_I_GL_BLEND, 1, 0);
+    /* Before clearing, whose colour is encoded as well. */
+    if (tr->frame.wishes.options & TR_WISH_SRGB && !tr->es)
+        tr_i_switch(tr, TR_I_GL_FRAMEBUFFER_SRGB, state->srgb);
     gl->DepthMask((unsigned char)(state->depth_write || state->clear_depth));
     if (state->clear_color)
         gl->ClearBufferfv(TR_I_GL_COLOR, 0, state->clear_color_value);
@@ -5795,8 +5833,6 @@ static void tr_i_apply(const tr_context *tr, const tr_state *state) {
         gl->PolygonMode(TR_I_GL_FRONT_AND_BACK, TR_I_GL_FILL);
     gl->UseProgram(state->program);
     tr_i_bind_textures(tr, state);
-    if (tr->frame.wishes.options & TR_WISH_SRGB && !tr->es)
-        tr_i_switch(tr, TR_I_GL_FRAMEBUFFER_SRGB, state->srgb);
     if (state->uniform_buffer) /* those that find outlines read none, and a range of no size is an error to GL 3.3 */
         gl->BindBufferRange(TR_I_GL_UNIFORM_BUFFER, (tr_i_u)state->uniform_binding, state->uniform_buffer,
                             state->uniform_offset, state->uniform_size);
@@ -5846,7 +5882,7 @@ static int tr_i_wants_color(int rule) {
            rule == TR_RULE_LAYER_MARKED || rule == TR_RULE_LAYER_GROUP || rule == TR_RULE_OPAQUE ||
            rule == TR_RULE_OPAQUE_ENTERING || rule == TR_RULE_SEE_PLAIN || rule == TR_RULE_SEE_BEHIND ||
            rule == TR_RULE_SEE_DITHER || rule == TR_RULE_SEE_BLEND || rule == TR_RULE_SEE_BLEND_LAYERS ||
-           rule == TR_RULE_SEE_PEEL;
+           rule == TR_RULE_SEE_PEEL || rule == TR_RULE_SEE_TARGET;
 }
 
 static int tr_i_wants_alpha(int rule) {
@@ -5987,20 +6023,24 @@ static void tr_i_outline_source(tr_i_source *source, tr_stage stage, int variant
 static void tr_i_see_source(tr_i_source *source, tr_stage stage, int program) {
     int bits = program == TR_I_PROGRAM_BITS, rows = program == TR_I_PROGRAM_SPREAD_X;
     int low = program == TR_I_PROGRAM_SPREAD_Y;
+    int prime = program == TR_I_PROGRAM_PRIME || program == TR_I_PROGRAM_PRIME_COLOR;
     tr_i_add_chunks(source, tr_i_shader_see_block_glsl);
     if (stage == TR_VERTEX) {
         tr_i_add(source, bits          ? "#define TR_COARSE_X 2\n"
                          : rows || low ? "#define TR_COARSE_X 1\n"
                                        : "#define TR_COARSE_X 0\n");
-        tr_i_add(source, low ? "#define TR_COARSE_Y 1\n" : "#define TR_COARSE_Y 0\n");
+        tr_i_add(source, low    ? "#define TR_COARSE_Y 1\n"
+                         : rows ? "#define TR_COARSE_Y 2\n"
+                                : "#define TR_COARSE_Y 0\n");
         tr_i_add_chunks(source, tr_i_shader_see_tile_vert);
         return;
     }
     tr_i_add(source, low ? "#define TR_SPREAD 2\n" : rows ? "#define TR_SPREAD 1\n" : "#define TR_SPREAD 0\n");
     tr_i_add(source, program == TR_I_PROGRAM_FINISH ? "#define TR_HAS_LOW 1\n" : "#define TR_HAS_LOW 0\n");
     tr_i_add(source, program == TR_I_PROGRAM_COMPOSE_YIELD ? "#define TR_HAS_YIELD 1\n" : "#define TR_HAS_YIELD 0\n");
+    tr_i_add(source, program == TR_I_PROGRAM_PRIME_COLOR ? "#define TR_HAS_COLOR 1\n" : "#define TR_HAS_COLOR 0\n");
     tr_i_add_chunks(source, bits || rows || low                    ? tr_i_shader_see_spread_frag
-                            : program == TR_I_PROGRAM_PRIME        ? tr_i_shader_see_prime_frag
+                            : prime                                ? tr_i_shader_see_prime_frag
                             : program == TR_I_PROGRAM_QUERY        ? tr_i_shader_see_query_frag
                             : program >= TR_I_PROGRAM_COMPOSE_MASK ? tr_i_shader_see_compose_frag
                                                                    : tr_i_shader_see_finish_frag);
@@ -6511,7 +6551,7 @@ static tr_i_see_format tr_i_see_format_of(int texture, int srgb) {
         {TR_I_GL_DEPTH_COMPONENT32F, TR_I_GL_DEPTH_COMPONENT, TR_I_GL_FLOAT, 4, 0, 0},
         {TR_I_GL_RGBA8, TR_I_GL_RGBA, TR_I_GL_UNSIGNED_BYTE, 4, 0, 0},
         {TR_I_GL_R8, TR_I_GL_RED, TR_I_GL_UNSIGNED_BYTE, 1, 3, 0},
-        {TR_I_GL_R8, TR_I_GL_RED, TR_I_GL_UNSIGNED_BYTE, 1, 1, 0},
+        {TR_I_GL_RGBA8, TR_I_GL_RGBA, TR_I_GL_UNSIGNED_BYTE, 4, 1, 2},
         {TR_I_GL_RGBA8, TR_I_GL_RGBA, TR_I_GL_UNSIGNED_BYTE, 4, 1, 1},
         {TR_I_GL_DEPTH_COMPONENT32F, TR_I_GL_DEPTH_COMPONENT, TR_I_GL_FLOAT, 4, 1, 1},
         {TR_I_GL_RG8, TR_I_GL_RG, TR_I_GL_UNSIGNED_BYTE, 2, 0, 0},
@@ -6542,7 +6582,7 @@ static uint64_t tr_i_see_weight(int texture, int width, int height, int divisor)
     return (uint64_t)size[0] * (uint64_t)size[1] * format.bytes;
 }
 
-/* Of the framebuffers: a colour, and a depth or none (-1). */
+/* Of the framebuffers: a colour and a depth; -1: none. */
 static void tr_i_see_attached(int fbo, int out[2]) {
     static const signed char attached[TR_I_SEE_FBO_COUNT][2] = {{TR_I_SEE_MARK, TR_I_SEE_DEPTH},
                                                                 {TR_I_SEE_BITS, -1},
@@ -6551,17 +6591,19 @@ static void tr_i_see_attached(int fbo, int out[2]) {
                                                                 {TR_I_SEE_MASK, TR_I_SEE_MASK_DEPTH},
                                                                 {TR_I_SEE_BEHIND, TR_I_SEE_DEPTH},
                                                                 {TR_I_SEE_YIELD, TR_I_SEE_DEPTH},
-                                                                {TR_I_SEE_QUERY, -1}};
+                                                                {TR_I_SEE_QUERY, -1},
+                                                                {-1, TR_I_SEE_DEPTH}};
     out[0] = attached[fbo][0];
     out[1] = attached[fbo][1];
 }
 
 /* The framebuffer of ours that a pass of a plan draws into; -1: the host's. */
-static int tr_i_see_fbo_of(const tr_see_plan *plan, int index) {
+static int tr_i_see_fbo_of(const tr_i_see *see, int index) {
+    const tr_see_plan *plan = &see->plan;
     switch (plan->passes[index].kind) {
     case TR_PASS_BLOCK:
     case TR_PASS_TARGETS:
-        return TR_I_SEE_FBO_TARGETS;
+        return see->colored ? TR_I_SEE_FBO_BEHIND : TR_I_SEE_FBO_TARGETS;
     case TR_PASS_BITS:
         return TR_I_SEE_FBO_BITS;
     case TR_PASS_SPREAD_X:
@@ -6571,7 +6613,9 @@ static int tr_i_see_fbo_of(const tr_see_plan *plan, int index) {
     case TR_PASS_FINISH:
         return TR_I_SEE_FBO_MASK;
     case TR_PASS_PRIME: /* for the pass after it */
-        return plan->passes[index + 1].kind == TR_PASS_YIELD ? TR_I_SEE_FBO_YIELD : TR_I_SEE_FBO_BEHIND;
+        return plan->passes[index + 1].kind == TR_PASS_YIELD ? TR_I_SEE_FBO_YIELD
+               : see->colored                                ? TR_I_SEE_FBO_PRIME
+                                                             : TR_I_SEE_FBO_BEHIND;
     case TR_PASS_BEHIND:
         return TR_I_SEE_FBO_BEHIND;
     case TR_PASS_YIELD:
@@ -6585,15 +6629,15 @@ static int tr_i_see_fbo_of(const tr_see_plan *plan, int index) {
 }
 
 /* Bits of the textures that a plan draws into. */
-static uint32_t tr_i_see_needs(const tr_see_plan *plan) {
+static uint32_t tr_i_see_needs(const tr_i_see *see) {
     uint32_t needs = 0;
     int i, attached[2];
-    for (i = 0; i < plan->pass_count; ++i) {
-        int fbo = tr_i_see_fbo_of(plan, i);
+    for (i = 0; i < see->plan.pass_count; ++i) {
+        int fbo = tr_i_see_fbo_of(see, i);
         if (fbo < 0)
             continue;
         tr_i_see_attached(fbo, attached);
-        needs |= 1u << attached[0] | (attached[1] >= 0 ? 1u << attached[1] : 0u);
+        needs |= (attached[0] >= 0 ? 1u << attached[0] : 0u) | (attached[1] >= 0 ? 1u << attached[1] : 0u);
     }
     return needs;
 }
@@ -6948,14 +6992,16 @@ static void tr_i_make_see_texture(tr_context *tr, int index) {
 }
 
 static int tr_i_make_see_fbo(tr_context *tr, int index) {
-    static const tr_i_u color = TR_I_GL_COLOR_ATTACHMENT0;
     const tr_i_gl *gl = &tr->gl;
     int attached[2];
+    tr_i_u color;
     tr_i_see_attached(index, attached);
     gl->GenFramebuffers(1, &tr->see.fbos[index]);
     gl->BindFramebuffer(TR_I_GL_DRAW_FRAMEBUFFER, tr->see.fbos[index]);
     gl->BindFramebuffer(TR_I_GL_READ_FRAMEBUFFER, tr->see.fbos[index]);
-    gl->FramebufferTexture2D(TR_I_GL_DRAW_FRAMEBUFFER, color, TR_I_GL_TEXTURE_2D, tr->see.textures[attached[0]], 0);
+    color = attached[0] >= 0 ? TR_I_GL_COLOR_ATTACHMENT0 : 0; /* GL_NONE */
+    if (color)
+        gl->FramebufferTexture2D(TR_I_GL_DRAW_FRAMEBUFFER, color, TR_I_GL_TEXTURE_2D, tr->see.textures[attached[0]], 0);
     if (attached[1] >= 0)
         gl->FramebufferTexture2D(TR_I_GL_DRAW_FRAMEBUFFER, TR_I_GL_DEPTH_ATTACHMENT, TR_I_GL_TEXTURE_2D,
                                  tr->see.textures[attached[1]], 0);
@@ -6985,7 +7031,7 @@ static tr_result tr_i_make_queries(tr_context *tr) {
 }
 
 static int tr_i_lacks_queries(const tr_i_see *see) {
-    return ((tr_i_see_needs(&see->plan) >> TR_I_SEE_QUERY) & 1u) && (!see->queries[0].buffer || !see->answer);
+    return ((tr_i_see_needs(see) >> TR_I_SEE_QUERY) & 1u) && (!see->queries[0].buffer || !see->answer);
 }
 
 /* Whether textures of another size, divisor or encoding are held. */
@@ -6998,7 +7044,7 @@ static int tr_i_see_misfits(const tr_context *tr) {
 
 static tr_result tr_i_make_see_textures(tr_context *tr) {
     tr_i_see *see = &tr->see;
-    uint32_t needs = tr_i_see_needs(&see->plan);
+    uint32_t needs = tr_i_see_needs(see);
     int i;
     if (tr_i_see_misfits(tr))
         tr_i_drop_see_textures(tr);
@@ -7012,7 +7058,7 @@ static tr_result tr_i_make_see_textures(tr_context *tr) {
         if (((needs >> i) & 1u) && !see->textures[i])
             tr_i_make_see_texture(tr, i);
     for (i = 0; i < see->plan.pass_count; ++i) {
-        int fbo = tr_i_see_fbo_of(&see->plan, i);
+        int fbo = tr_i_see_fbo_of(see, i);
         if (fbo < 0 || see->fbos[fbo] || tr_i_make_see_fbo(tr, fbo))
             continue;
         tr_i_drop_see_textures(tr);
@@ -8366,7 +8412,7 @@ static tr_result tr_i_check_dynamic(const tr_context *tr, const tr_frame *frame,
 /* Bytes of the textures that the plan needs. */
 static void tr_i_weigh_see(tr_context *tr) {
     tr_i_see *see = &tr->see;
-    uint32_t needs = tr_i_see_needs(&see->plan);
+    uint32_t needs = tr_i_see_needs(see);
     int i;
     for (i = 0; i < TR_I_SEE_TEXTURE_COUNT; ++i)
         if ((needs >> i) & 1u)
@@ -8384,7 +8430,8 @@ static tr_frame tr_i_dynamic_frame(const tr_frame *frame) {
 }
 
 /* The program of ours for a pass of the plan. */
-static int tr_i_see_program(const tr_context *tr, const tr_see_pass *pass) {
+static int tr_i_see_program(const tr_context *tr, int index) {
+    const tr_see_pass *pass = &tr->see.plan.passes[index];
     switch (pass->kind) {
     case TR_PASS_BITS:
         return TR_I_PROGRAM_BITS;
@@ -8395,7 +8442,7 @@ static int tr_i_see_program(const tr_context *tr, const tr_see_pass *pass) {
     case TR_PASS_FINISH:
         return tr->see.law.reach ? TR_I_PROGRAM_FINISH : TR_I_PROGRAM_FINISH_BARE;
     case TR_PASS_PRIME:
-        return TR_I_PROGRAM_PRIME;
+        return tr_i_see_fbo_of(&tr->see, index) == TR_I_SEE_FBO_PRIME ? TR_I_PROGRAM_PRIME_COLOR : TR_I_PROGRAM_PRIME;
     case TR_PASS_COMPOSE_MASK:
         return tr->see.partial ? TR_I_PROGRAM_COMPOSE_YIELD : TR_I_PROGRAM_COMPOSE_MASK;
     case TR_PASS_QUERY:
@@ -8444,7 +8491,7 @@ static void tr_i_fill_see_block(tr_context *tr, const tr_dynamic *dynamic) {
     block->law[0] = see->law.target;
     block->law[1] = see->law.start;
     block->law[2] = see->law.width;
-    block->law[3] = (float)dynamic->light_count;
+    block->law[3] = see->colored ? -1.0f : (float)dynamic->light_count;
     memcpy(block->background, dynamic->background, sizeof dynamic->background);
     block->background[3] = dynamic->occluders == TR_OCCLUDERS_EACH ? 1.0f : 0.0f;
     block->grid[0] = see->law.divisor;
@@ -8467,7 +8514,7 @@ static void tr_i_fill_see_block(tr_context *tr, const tr_dynamic *dynamic) {
 /* 1 if something has to be created: never in a steady frame. */
 static int tr_i_see_lacks(const tr_context *tr) {
     const tr_i_see *see = &tr->see;
-    uint32_t needs = tr_i_see_needs(&see->plan);
+    uint32_t needs = tr_i_see_needs(see);
     int i;
     if (!see->buffer || !tr->vertex_array || (needs && tr_i_see_misfits(tr)) || tr_i_lacks_queries(see))
         return 1;
@@ -8476,9 +8523,9 @@ static int tr_i_see_lacks(const tr_context *tr) {
             return 1;
     for (i = 0; i < see->plan.pass_count; ++i) {
         const tr_see_pass *pass = &see->plan.passes[i];
-        int fbo = tr_i_see_fbo_of(&see->plan, i);
+        int fbo = tr_i_see_fbo_of(see, i);
         int wanted = pass->kind != TR_PASS_SCENE || tr->desc.state == TR_STATE_NONE;
-        if ((fbo >= 0 && !see->fbos[fbo]) || (wanted && !tr->programs[tr_i_see_program(tr, pass)].name))
+        if ((fbo >= 0 && !see->fbos[fbo]) || (wanted && !tr->programs[tr_i_see_program(tr, i)].name))
             return 1;
     }
     return 0;
@@ -8504,7 +8551,7 @@ static tr_result tr_i_see_work(tr_context *tr) {
         result = tr_i_make_queries(tr);
     for (i = 0; i < see->plan.pass_count && result == TR_OK; ++i)
         if (see->plan.passes[i].kind != TR_PASS_SCENE || tr->desc.state == TR_STATE_NONE)
-            result = tr_i_make_program(tr, tr_i_see_program(tr, &see->plan.passes[i]));
+            result = tr_i_make_program(tr, tr_i_see_program(tr, i));
     if (result != TR_OK)
         return result;
     if (!tr->vertex_array)
@@ -9023,13 +9070,13 @@ TR_I_API tr_result tr_begin_dynamic(tr_context *tr, const tr_frame *frame, const
 }
 
 /* Textures that a pass reads, on units that hold two-dimensional ones. */
-static void tr_i_fill_see_textures(const tr_i_see *see, tr_pass_kind kind, tr_state *state) {
-    const tr_i_u *from = see->textures;
+static void tr_i_fill_see_textures(const tr_i_see *see, tr_pass_kind kind, int fbo, tr_state *state) {
+    const tr_i_u *from = see->textures, mark = from[see->colored ? TR_I_SEE_BEHIND : TR_I_SEE_MARK];
     tr_i_u *depth = &state->textures[TR_I_SCENE_DEPTH], *mask = &state->textures[TR_I_OPAQUE_COLOR];
     tr_i_u *third = &state->textures[TR_I_MARK], *fourth = &state->textures[TR_I_CROSSINGS];
     switch (kind) {
     case TR_PASS_BITS:
-        *mask = from[TR_I_SEE_MARK];
+        *mask = mark;
         break;
     case TR_PASS_SPREAD_X:
         *depth = from[TR_I_SEE_DEPTH];
@@ -9038,15 +9085,19 @@ static void tr_i_fill_see_textures(const tr_i_see *see, tr_pass_kind kind, tr_st
     case TR_PASS_SPREAD_Y:
     case TR_PASS_FINISH:
         *depth = from[TR_I_SEE_DEPTH];
-        *mask = from[TR_I_SEE_MARK];
+        *mask = mark;
         *third = from[kind == TR_PASS_SPREAD_Y ? TR_I_SEE_ROWS : TR_I_SEE_LOW];
         *fourth = kind == TR_PASS_FINISH ? from[TR_I_SEE_LOW_DEPTH] : 0;
         break;
     case TR_PASS_PRIME:
         *mask = from[TR_I_SEE_MASK];
+        if (fbo == TR_I_SEE_FBO_PRIME) {
+            *depth = from[TR_I_SEE_MASK_DEPTH];
+            *third = mark;
+        }
         break;
     case TR_PASS_QUERY:
-        *mask = from[TR_I_SEE_MARK];
+        *mask = mark;
         break;
     case TR_PASS_SCENE: /* with holes */
     case TR_PASS_BEHIND:
@@ -9081,7 +9132,7 @@ static void tr_i_fill_see_extent(const tr_context *tr, int fbo, tr_state *state)
     tr_i_see_format format;
     int attached[2], across, up, k;
     tr_i_see_attached(fbo, attached);
-    format = tr_i_see_format_of(attached[0], 0);
+    format = tr_i_see_format_of(attached[0] >= 0 ? attached[0] : attached[1], 0);
     across = tr_i_see_divisor(format.across, see->divisor);
     up = tr_i_see_divisor(format.up, see->divisor);
     tr_i_see_size(&format, see->width, see->height, see->divisor, &state->viewport[2]);
@@ -9099,7 +9150,7 @@ static void tr_i_fill_see_extent(const tr_context *tr, int fbo, tr_state *state)
 static void tr_i_fill_see_bindings(const tr_context *tr, int index, tr_state *state) {
     const tr_i_see *see = &tr->see;
     const tr_see_pass *pass = &see->plan.passes[index];
-    int fbo = tr_i_see_fbo_of(&see->plan, index), i;
+    int fbo = tr_i_see_fbo_of(see, index), i;
     state->framebuffer = fbo >= 0 ? see->fbos[fbo] : tr->frame.framebuffer;
     if (fbo >= 0) {
         tr_i_fill_see_extent(tr, fbo, state);
@@ -9109,12 +9160,12 @@ static void tr_i_fill_see_bindings(const tr_context *tr, int index, tr_state *st
         state->viewport[2] = tr->frame.width;
         state->viewport[3] = tr->frame.height;
     }
-    state->program = tr->programs[tr_i_see_program(tr, pass)].name;
+    state->program = tr->programs[tr_i_see_program(tr, index)].name;
     state->first_texture_unit = tr->desc.first_texture_unit;
     for (i = 0; i < TR_TEXTURE_UNITS; ++i)
         state->texture_targets[i] = tr_i_targets[i];
     if (pass->rule != TR_RULE_SEE_PLAIN || pass->kind != TR_PASS_SCENE)
-        tr_i_fill_see_textures(see, pass->kind, state);
+        tr_i_fill_see_textures(see, pass->kind, fbo, state);
     state->uniform_buffer = see->buffer;
     state->uniform_binding = tr->desc.uniform_binding;
     state->uniform_size = (int)sizeof see->block;
@@ -9143,6 +9194,8 @@ static void tr_i_fill_see_tests(const tr_context *tr, int index, tr_state *state
         state->depth_func = reversed ? TR_I_GL_GEQUAL : TR_I_GL_LEQUAL;
         state->clear_depth = index == 0 || tr->see.plan.passes[index - 1].kind != TR_PASS_BLOCK;
         state->clear_color = 1;
+        if (tr->see.colored) /* what shows where nothing is behind a mask */
+            memcpy(state->clear_color_value, tr->see.block.background, 3 * sizeof state->clear_color_value[0]);
         break;
     case TR_PASS_BITS:
     case TR_PASS_SPREAD_X:
@@ -9157,6 +9210,7 @@ static void tr_i_fill_see_tests(const tr_context *tr, int index, tr_state *state
     case TR_PASS_PRIME: /* nothing is nearer */
         state->clear_depth = 1;
         state->clear_depth_value = reversed ? 1.0f : 0.0f;
+        state->color_write = state->framebuffer != tr->see.fbos[TR_I_SEE_FBO_PRIME];
         break;
     case TR_PASS_COMPOSE_MASK:
         state->depth_func = reversed ? TR_I_GL_LESS : TR_I_GL_GREATER;

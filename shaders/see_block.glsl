@@ -6,7 +6,8 @@ layout(std140) uniform tr_frame
     highp vec4 tr_cool;           // rgb, and how much diffuse colour is mixed in
     highp vec4 tr_warm;
     highp vec4 tr_viewport;       // x, y, width, height of the target's viewport
-    highp vec4 tr_see_law;        // opacity before a target, and beside it; width of the gradient; how many lights
+    highp vec4 tr_see_law;        // opacity before a target, and beside it; width of the gradient; how many lights,
+                                  // or -1: none, and targets are drawn in colour
     highp vec4 tr_see_background; // rgb: where nothing is drawn; a: 1 where each occluder counts on its own
     highp ivec4 tr_see_grid;      // pixels a texel of masks; a cell; frame index; pixels that masks reach
     highp vec4 tr_see_lights[8];  // x, y, radius, edge, pixels of the viewport

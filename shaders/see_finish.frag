@@ -45,7 +45,7 @@ highp float tr_distance_at(ivec2 pixel)
 void main()
 {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    highp vec2 mark = texelFetch(tr_see_mark, pixel, 0).rg;
+    highp vec2 mark = texelFetch(tr_see_mark, pixel, 0).ab;
     highp float opacity = tr_see_law.x, depth;
     if (mark.r > 0.0) {
         depth = texelFetch(tr_see_depth, pixel, 0).r;
@@ -63,7 +63,7 @@ void main()
         discard;
 #endif
     }
-    if (mark.g > 0.5)
+    if (tr_see_law.w > 0.0 && mark.g > 0.5)
         opacity = 1.0 - tr_light_at(vec2(pixel) + 0.5) * (1.0 - opacity);
     tr_color = vec4(opacity, mark.r, 0.0, 0.0);
     gl_FragDepth = depth;

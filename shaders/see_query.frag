@@ -7,5 +7,5 @@ void main()
 {
     ivec2 size = ivec2(tr_viewport.zw);
     ivec2 pixel = min(ivec2(gl_FragCoord.xy * tr_viewport.zw / vec2((size + 3) >> 2)), size - 1);
-    tr_color = vec4(texelFetch(tr_see_mark, pixel, 0).ba, 0.0, 0.0);
+    tr_color = vec4(texelFetch(tr_see_mark, pixel, 0).rg, 0.0, 0.0);
 }

@@ -5,7 +5,7 @@
 // location 0. code: what tr_unit_code makes. Bits 0 to 15: id, from 16 flags, from 24 importance in 255ths.
 #define TR_RULE_SEE_PLAIN 15  // nothing
 #define TR_RULE_SEE_BLOCK 16  // depth of what closes masks
-#define TR_RULE_SEE_TARGET 17 // depth and mark of the nearest target
+#define TR_RULE_SEE_TARGET 17 // depth, and colour or mark, of the nearest target
 #define TR_RULE_SEE_BEHIND 18 // what shows through masks
 #define TR_RULE_SEE_YIELD 19  // importance of the front-most unit
 #define TR_RULE_SEE_DITHER 20 // the whole scene, with holes
@@ -69,8 +69,9 @@ void tr_see_through(inout highp vec4 color, highp uint code)
 #elif TR_RULE == TR_RULE_SEE_TARGET
     if (!tr_see_is(code, 1u) || (code >> 24) == 0u)
         discard;
-    color = vec4(tr_see_importance(code), tr_see_is(code, 16u) ? 1.0 : 0.0, float(code & 255u) * (1.0 / 255.0),
-                 float((code >> 8) & 255u) * (1.0 / 255.0));
+    if (tr_see_law.w >= 0.0)
+        color.rgb = vec3(float(code & 255u) * (1.0 / 255.0), float((code >> 8) & 255u) * (1.0 / 255.0), tr_see_is(code, 16u) ? 1.0 : 0.0);
+    color.a = tr_see_importance(code);
 #elif TR_RULE == TR_RULE_SEE_BEHIND
     if (tr_see_keeps(code))
         return;

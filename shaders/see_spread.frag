@@ -2,11 +2,11 @@
 // How far the nearest pixel of a target is: exact, by rows and then across them.
 //
 // TR_SPREAD 0: eight pixels of a row as bits, so that the next steps over empty space are long ones. TR_SPREAD 1: in its
-// row, for each texel of masks, as the pixels from the texel's first one to it, plus 128, in 255ths; 0: none. TR_SPREAD 2: of
-// the rows' the nearest, of equally near ones that nearest to the eye. A texel stands for the middle of its pixels; twice the
-// positions are integers. Steps go outward from there: left and right, up and down, are one step.
+// row, for each texel of masks, as the pixels from the texel's first one to it, plus 128, in 255ths; 0: none; of four rows
+// at once, so that the next step reads them at once. TR_SPREAD 2: of the rows' the nearest, of equally near ones that
+// nearest to the eye. A texel stands for the middle of its pixels; twice the positions are integers. Steps go outward.
 uniform highp sampler2D tr_see_depth; // of targets
-uniform highp sampler2D tr_see_mark;  // of targets: strength, 0 where there is none; active
+uniform highp sampler2D tr_see_mark;  // of targets: in alpha the strength, 0 where there is none; in blue 1 where active
 #if TR_SPREAD != 0
 uniform highp sampler2D tr_see_rows; // the step before this one's
 #endif
@@ -18,7 +18,7 @@ void main()
     ivec2 first = ivec2(int(gl_FragCoord.x) * 8, int(gl_FragCoord.y));
     int bits = 0, count = min(8, int(tr_viewport.z) - first.x);
     for (int i = 0; i < count; ++i)
-        bits |= texelFetch(tr_see_mark, first + ivec2(i, 0), 0).r > 0.0 ? 1 << i : 0;
+        bits |= texelFetch(tr_see_mark, first + ivec2(i, 0), 0).a > 0.0 ? 1 << i : 0;
     tr_color = vec4(float(bits) * (1.0 / 255.0));
 }
 #elif TR_SPREAD == 1
@@ -33,10 +33,10 @@ int tr_bits(int block, int y)
     return int(texelFetch(tr_see_rows, ivec2(block, y), 0).r * 255.0 + 0.5);
 }
 
-void main()
+highp float tr_nearest_in(int y)
 {
     int divisor = tr_see_grid.x, reach = tr_see_grid.w + 2 * divisor, first = int(gl_FragCoord.x) * divisor;
-    int y = int(gl_FragCoord.y), from_left = first + (divisor - 1) / 2, from_right = first + divisor / 2;
+    int from_left = first + (divisor - 1) / 2, from_right = first + divisor / 2;
     int left = -0x10000, right = 0x10000;
     int lowest = max(from_left - reach, 0), highest = min(from_right + reach, int(tr_viewport.z) - 1);
     for (int block = from_left >> 3, mask = (2 << (from_left & 7)) - 1; block * 8 + 7 >= lowest; --block, mask = 255) {
@@ -58,28 +58,41 @@ void main()
     if (to_left == to_right && to_left <= reach)
         at_left = TR_BEHIND(texelFetch(tr_see_depth, ivec2(right, y), 0).r, texelFetch(tr_see_depth, ivec2(left, y), 0).r);
     int found = min(to_left, to_right) <= reach ? (at_left ? left : right) - first + 128 : 0;
-    tr_color = vec4(float(found) * (1.0 / 255.0));
+    return float(found) * (1.0 / 255.0);
+}
+
+void main()
+{
+    tr_color = vec4(0.0);
+    for (int i = 0, y = 4 * int(gl_FragCoord.y); i < 4 && y + i < int(tr_viewport.w); ++i)
+        tr_color[i] = tr_nearest_in(y + i);
 }
 #else
 void main()
 {
     ivec2 texel = ivec2(gl_FragCoord.xy), first = texel * tr_see_grid.x, nearest = ivec2(-1);
-    int divisor = tr_see_grid.x, steps = tr_see_grid.w + 2 * divisor, none = 4 * steps * steps, least = none;
-    for (int i = 0; i <= steps && 4 * i * i <= least; ++i) {
-        for (int side = 0; side < 2; ++side) {
-            int y = side == 0 ? first.y + (divisor - 1) / 2 - i : first.y + divisor / 2 + i;
-            if (y < 0 || y >= int(tr_viewport.w))
+    int divisor = tr_see_grid.x, steps = tr_see_grid.w + 2 * divisor, least = 4 * steps * steps;
+    int middle = first.y >> 2, last = (int(tr_viewport.w) - 1) >> 2;
+    // Four rows at a time, outward: those i texels away are 4 * i - 3 and more pixels away, less the texel's own.
+    for (int i = 0; i == 0 || 4 * i - 3 - divisor <= 0 || (4 * i - 3 - divisor) * (4 * i - 3 - divisor) * 4 <= least; ++i) {
+        for (int side = 0; side < (i == 0 ? 1 : 2); ++side) {
+            int four = side == 0 ? middle - i : middle + i;
+            if (four < 0 || four > last)
                 continue;
-            int found = int(texelFetch(tr_see_rows, ivec2(texel.x, y), 0).r * 255.0 + 0.5) - 128;
-            if (found == -128)
+            ivec4 found = ivec4(texelFetch(tr_see_rows, ivec2(texel.x, four), 0) * 255.0 + 0.5);
+            if (found == ivec4(0))
                 continue;
-            ivec2 pixel = ivec2(first.x + found, y), offset = 2 * (pixel - first) - divisor + 1;
-            int square = offset.x * offset.x + offset.y * offset.y;
-            if (square < least ||
-                (square == least && nearest.x >= 0 &&
-                 TR_BEHIND(texelFetch(tr_see_depth, nearest, 0).r, texelFetch(tr_see_depth, pixel, 0).r))) {
-                least = square;
-                nearest = pixel;
+            for (int k = 0; k < 4; ++k) {
+                if (found[k] == 0)
+                    continue;
+                ivec2 pixel = ivec2(first.x + found[k] - 128, 4 * four + k), offset = 2 * (pixel - first) - divisor + 1;
+                int square = offset.x * offset.x + offset.y * offset.y;
+                if (square < least ||
+                    (square == least && nearest.x >= 0 &&
+                     TR_BEHIND(texelFetch(tr_see_depth, nearest, 0).r, texelFetch(tr_see_depth, pixel, 0).r))) {
+                    least = square;
+                    nearest = pixel;
+                }
             }
         }
     }
@@ -87,7 +100,7 @@ void main()
     gl_FragDepth = TR_CLEAR_DEPTH;
     if (nearest.x < 0)
         return;
-    tr_color = vec4(0.5 * sqrt(float(least)) / float(steps), texelFetch(tr_see_mark, nearest, 0).rg, 0.0);
+    tr_color = vec4(0.5 * sqrt(float(least)) / float(steps), texelFetch(tr_see_mark, nearest, 0).ab, 0.0);
     gl_FragDepth = texelFetch(tr_see_depth, nearest, 0).r;
 }
 #endif

@@ -634,6 +634,48 @@ static void batches_may_hold_more(void **state) {
     harness_close(&h);
 }
 
+static unsigned char *read_encoded(harness *h, dynamic_scene *d, bool srgb) {
+    char message[2048] = "";
+    tr_frame frame;
+    memset(&frame, 0, sizeof frame);
+    frame.framebuffer = h->framebuffer;
+    frame.width = d->scene.width;
+    frame.height = d->scene.height;
+    frame.wishes.options = srgb ? TR_WISH_SRGB : 0;
+    dynamic_agree(d);
+    dynamic_set_state(h, d, 1.0f);
+    assert_true(battlefield_see_draw(&d->see, &d->look, &frame, &d->wish, message, sizeof message));
+    return dynamic_read(h, d);
+}
+
+/* Where queries ask for their ids, targets are drawn again for their colours; else the colours are there already. Sky
+ * and backdrops, impenetrable things and targets without a mask show through as well. */
+static void colors_taken_early_are_the_same(void **state) {
+    harness h;
+    (void)state;
+    harness_open(&h, 330, false, NULL);
+    harness_target(&h, 200, 160);
+    for (uint32_t seed = 6; seed < 10; ++seed) {
+        dynamic_scene d;
+        dynamic_open(&d, &h, dynamic_random_field(seed, 24, 5, seed % 2 == 0));
+        dynamic_look(&d, RANDOM_EYE, ORIGIN, 45, 200, 160);
+        d.marks[1].faded = 1;
+        d.marks[2].importance = seed < 8 ? 1 : 0.6;
+        d.marks[7].importance = seed < 8 ? 0 : 0.3; /* one more pass over the same depth */
+        d.wish.see = TR_SEE_ONE_MASK;
+        unsigned char *early = read_encoded(&h, &d, seed % 2);
+        uint64_t bytes = tr_get_info(h.tr).see_plan->bytes;
+        d.wish.query = 1;
+        unsigned char *late = read_encoded(&h, &d, seed % 2);
+        assert_memory_equal(early, late, 4 * 200 * 160);
+        assert_true(tr_get_info(h.tr).see_plan->bytes > bytes + 4 * 200 * 160); /* the mark has a texture of its own */
+        free(early);
+        free(late);
+        dynamic_close(&d);
+    }
+    harness_close(&h);
+}
+
 /* Nothing to see through: one pass, and the very picture of plain drawing. */
 static void nothing_called_for_nothing_changed(void **state) {
     harness h;
@@ -868,6 +910,7 @@ int main(void) {
                                        cmocka_unit_test(targets_keep_their_weight),
                                        cmocka_unit_test(order_changes_no_bit),
                                        cmocka_unit_test(batches_may_hold_more),
+                                       cmocka_unit_test(colors_taken_early_are_the_same),
                                        cmocka_unit_test(nothing_called_for_nothing_changed),
                                        cmocka_unit_test(versions_agree),
                                        cmocka_unit_test(other_attachments_are_the_hosts),
