@@ -124,8 +124,49 @@ static void viewports_may_be_anywhere(void **state) {
     harness_close(&h);
 }
 
+/* ---- what is hidden ---- */
+
+/* One pixel in sixteen is looked at: of n that lay at random the count would be off by some sqrt(16 n); and texels at the edge. */
+static void queries_count_what_is_hidden(void **state) {
+    static const double eye[3] = {9, -14, 6}, middle[3] = {0, 0, 0};
+    harness h;
+    size_t found = 0;
+    (void)state;
+    harness_open(&h, 330, false, NULL);
+    harness_target(&h, 320, 256);
+    for (uint32_t seed = 1; seed <= 8; ++seed) {
+        dynamic_scene d;
+        tr_hidden hidden[4];
+        size_t count = 0;
+        dynamic_open(&d, &h, dynamic_random_field(seed, 14, 1, seed % 2 == 0));
+        dynamic_look(&d, eye, middle, 45, 320, 256);
+        d.wish.see = seed % 3 ? TR_SEE_ONE_MASK : TR_SEE_DITHER;
+        d.wish.query = 1;
+        dynamic_draw(&h, &d);
+        glFinish();
+        assert_int_equal(tr_query_hidden(h.tr, hidden, 4, &count), TR_OK);
+        ref_dyn_census *census = dynamic_need(d.count * sizeof *census);
+        free(dynamic_truth(&d, census));
+        double open = (double)(census[0].pixels - census[0].closed),
+               behind = (double)(census[0].hidden - census[0].closed);
+        if (tr_get_info(h.tr).see_plan->see != TR_SEE_OFF && count) {
+            printf("    seed %u: %u of %u pixels hidden, by the truth %.0f of %.0f\n", seed, hidden[0].hidden,
+                   hidden[0].pixels, behind, open);
+            assert_true(count == 1 && hidden[0].id == d.parts[0] + 1);
+            assert_true(fabs(hidden[0].pixels - open) <= 64 + 4 * sqrt(open));
+            assert_true(fabs(hidden[0].hidden - behind) <= 64 + 4 * sqrt(behind));
+            ++found;
+        }
+        free(census);
+        dynamic_close(&d);
+    }
+    assert_true(found >= 4);
+    harness_close(&h);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(frames_forget_the_ones_before),
-                                       cmocka_unit_test(viewports_may_be_anywhere)};
+                                       cmocka_unit_test(viewports_may_be_anywhere),
+                                       cmocka_unit_test(queries_count_what_is_hidden)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
