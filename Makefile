@@ -112,7 +112,13 @@ bench-silhouette: build/bench/silhouette build/bench/gauss_map ## silhouettes ag
 	@/usr/bin/python3 bench/vtk_feature_lines.py build/bench/meshes build/bench/silhouette.csv
 	@if command -v gnuplot >/dev/null; then gnuplot -c bench/silhouette.gp build/bench/silhouette.csv build/bench/silhouette.png; fi
 
-bench-distance bench-view-dependent bench-oit bench-lines bench-flicker bench-dynamic: bench-%: ## one benchmark: bench-NAME runs bench/NAME.c
+bench-oit: build/bench/oit ## fragment stores against blending, peeling, weighted blending, and VTK where it and xvfb-run are
+	@mkdir -p build/bench/scenes
+	@BENCH=$(BENCH) BENCH_SCENES=build/bench/scenes build/bench/oit
+	@if command -v xvfb-run >/dev/null; then xvfb-run -a -s "-screen 0 1280x1024x24" \
+	    env LIBGL_ALWAYS_SOFTWARE=1 /usr/bin/python3 bench/vtk_transparency.py build/bench/scenes build/bench/oit.csv; fi
+
+bench-distance bench-view-dependent bench-lines bench-flicker bench-dynamic: bench-%: ## one benchmark: bench-NAME runs bench/NAME.c
 	@$(MAKE) --no-print-directory build/bench/$(subst -,_,$*)
 	@BENCH=$(BENCH) build/bench/$(subst -,_,$*)
 

@@ -191,7 +191,7 @@
    bits each, exact. Iterated, each pass is one step. With smart.jumps a pass carries distances 32 pixels along rows, the
    next along columns, and so on: never below the true distance, so never above the iterated field; each bend of a path
    costs a round. smart.until_stable asks for as many rounds as iterations, of which those after the last change end at
-   once. Base is made smooth by two passes for each 50 iterations: the weights of so many steps along rows, then columns.
+   once. Base is made smooth by two passes for each 25 iterations: the weights of so many steps along rows, then columns.
    smart.thin is against silhouettes so dense that nothing but them is seen: a field ends within that share of the distance
    between the boundary conditions on either side along the row, or along the column if that is less.
 
@@ -2512,7 +2512,7 @@ static const char *const oit_i_shader_oit_operator_jump_comp[] = {
     "    bool column = OIT_STEP.x != 0u, changed = false;\n"
     "    if (at == uvec2(0u))\n"
     "        oit_surface[4u + (OIT_STEP.y + 1u & 3u)] = 0u;\n"
-    "    uvec2 start = column ? uvec2(at.x, at.y * oit_reach) : uvec2(at.x * oit_reach, at.y);\n"
+    "    uvec2 start = column ? uvec2(at.x, at.y * oit_reach) : uvec2(at.y * oit_reach, at.x); // x is what is long\n"
     "    if (any(greaterThanEqual(start, size)) || oit_is_stable())\n"
     "        return;\n"
     "    uint p = start.y * size.x + start.x, stride = column ? size.x : 1u;\n"
@@ -2667,7 +2667,7 @@ static const char *const oit_i_shader_oit_operator_size_comp[] = {
     "{\n"
     "    uvec2 size = uvec2(oit_area.zw), at = gl_GlobalInvocationID.xy;\n"
     "    bool column = OIT_STEP.x != 0u;\n"
-    "    uvec2 start = column ? uvec2(at.x, at.y * oit_reach) : uvec2(at.x * oit_reach, at.y);\n"
+    "    uvec2 start = column ? uvec2(at.x, at.y * oit_reach) : uvec2(at.y * oit_reach, at.x); // x is what is long\n"
     "    if (any(greaterThanEqual(start, size)))\n"
     "        return;\n"
     "    uint p = start.y * size.x + start.x, stride = column ? size.x : 1u, section = column ? OIT_EXTRA_STEP.z : OIT_IN_SIZES;\n"
@@ -6901,9 +6901,9 @@ static int oit_i_greatest_steps(const oit_smart *smart) {
     return beta > gamma ? beta : gamma;
 }
 
-/* Iterations of equation 8 that one pair of passes along rows and columns stands for: so many that 15 links hold all but
-   1/500 of the weights. */
-#define OIT_I_CHAIN_STEPS 50
+/* Iterations of equation 8 that one pair of passes along rows and columns stands for: few, because along rows and then
+   along columns is not quite both at a time. */
+#define OIT_I_CHAIN_STEPS 25
 #define OIT_I_JUMP_REACH 32
 
 /* Passes along rows and columns in turn that measure the surface's width, as far as smart.thin may matter. */
@@ -6993,7 +6993,7 @@ static int oit_i_chain_weights(int steps, double weight, float out[16]) {
             next[k] = w[k] + weight * (w[k ? k - 1 : 1] - 2.0 * w[k] + w[k + 1]);
         memcpy(w, next, 16 * sizeof w[0]);
     }
-    while (reach > 1 && tail + 2.0 * w[reach] < 2e-3)
+    while (reach > 1 && tail + 2.0 * w[reach] < 1e-2)
         tail += 2.0 * w[reach--];
     for (k = 0; k <= reach; ++k)
         sum += (k ? 2.0 : 1.0) * w[k];
@@ -7043,7 +7043,7 @@ static void oit_i_number_chain(const oit_context *oit, const oit_i_stage *stage,
     float weights[16];
     n->at[2][0] = oit->sections[OIT_I_AT_BASE];
     n->at[2][1] = oit->sections[OIT_I_AT_SPARE];
-    n->at[4][0] = (oit_i_u)step & 1u;
+    n->at[4][0] = (oit_i_u)(step ^ step >> 1) & 1u; /* rows, columns, columns, rows: errors of the order cancel */
     n->at[4][1] = (oit_i_u)oit_i_chain_weights(steps, 0.125 * (double)oit->smart.base.lambda, weights);
     memcpy(n->set, weights, sizeof weights);
 }
@@ -7184,10 +7184,10 @@ static void oit_i_fill_operation(const oit_context *oit, oit_state *state) {
     oit_i_number_stage(oit, stage, oit->stage_step, &numbers);
     state->program = stage->program == OIT_I_PROGRAM_HOST ? oit->host_program : oit->programs[stage->program];
     state->storage_buffers[2] = oit->buffers[OIT_I_SURFACE];
-    size[0] = oit->frame.width;
-    size[1] = oit->frame.height;
-    if (along)
-        size[k] = (size[k] + OIT_I_JUMP_REACH - 1) / OIT_I_JUMP_REACH;
+    size[0] = along && !k ? oit->frame.height : oit->frame.width;
+    size[1] = along && !k ? oit->frame.width : oit->frame.height;
+    if (along) /* across x, along y, so that few columns of a narrow image leave no work items idle */
+        size[1] = (size[1] + OIT_I_JUMP_REACH - 1) / OIT_I_JUMP_REACH;
     for (i = 0; i < 2; ++i)
         state->groups[i] = (oit_i_u)((size[i] + 7) / 8);
     state->groups[2] = 1;

@@ -179,7 +179,10 @@
         dynamic->units = units;
         dynamic->unit_count = COUNT;                                  // and dynamic->view, dynamic->projection
         result = tr_begin_dynamic(tr, frame, dynamic);
-        if (result != TR_OK) return result;
+        if (result != TR_OK) {                                        // no pass comes: the scene is yours to draw
+            draw_everything_as_ever();
+            return result;
+        }
         while (tr_next_pass(tr, &pass)) {
             if (pass.kind == TR_PASS_SCENE && pass.rule == TR_RULE_SEE_PLAIN)
                 draw_everything_as_ever();                            // own programs, own state, all attachments
@@ -608,7 +611,8 @@ typedef struct tr_unit {
     uint32_t id;             /* stable, at most 65535; targets: from 1, unique among them */
     uint32_t flags;          /* TR_UNIT_*; 0: a distractor */
     float center[3], radius; /* bounding sphere in the world. Not finite, or radius < 0: no bounds, the whole viewport;
-                                radius 0: a point */
+                                radius 0: a point. Where middles give the order, a centre that is not finite is the
+                                farthest */
     float importance; /* clamped to [0,1]; 0: the default, 1 for targets and 0 for others; negative: 0. An occluder
                                 gives up clamp(target's - occluder's) of what the mask asks for: 1 and 0 give the paper */
     uint32_t group;   /* 0: on its own; members of a group are ordered by rank, lowest innermost (TR_SEE_SEQUENCE) */
@@ -709,6 +713,7 @@ typedef struct tr_see_plan {
    Where no target may be hidden, or nothing that yields may lie before one, this is the only pass and no GL call is made.
    With TR_RULE_SEE_PLAIN the host's program is as it always was; tr_set_material puts the built-in one to use.
    A host that draws instances in batches may draw more than pass.units: shaders know by the code what is not wanted.
+   On an error no pass comes, TR_PASS_SCENE neither: the host draws its scene as it does without this header.
    TR_INVALID_ARGUMENT: matrices or numbers that are not finite, values out of range, an id out of range or of two
    targets; lights or units that are NULL; what the rung cannot do (see docs/dynamic.md). */
 TR_DEF tr_result tr_begin_dynamic(tr_context *tr, const tr_frame *frame, const tr_dynamic *dynamic);
@@ -4918,11 +4923,14 @@ static void tr_i_flush_masks(tr_context *tr, tr_i_sequence *seq) {
 
 /* Whether a unit may be painted along with those of the last item: nothing of one may cover anything of another. */
 static int tr_i_joins_item(const tr_i_sequence *seq, const tr_i_place *places, const int box[4], int hollow) {
-    const tr_i_item *item = (const tr_i_item *)seq->items.items + seq->items.count - 1;
+    const tr_i_item *item;
     const uint32_t *list = (const uint32_t *)seq->list.items;
     uint32_t i;
     int other[4];
-    if (!seq->open || item->hollow != hollow || item->count == TR_I_RUN)
+    if (!seq->open)
+        return 0;
+    item = (const tr_i_item *)seq->items.items + seq->items.count - 1;
+    if (item->hollow != hollow || item->count == TR_I_RUN)
         return 0;
     for (i = 0; i < item->count; ++i)
         if (tr_i_box_of(places, list[item->first + i], other) && tr_i_boxes_meet(other, box))
@@ -5040,7 +5048,7 @@ static void tr_i_arrange_units(tr_context *tr, const tr_dynamic *dynamic, const 
     seq->list.count = seq->scene.count = seq->masks.count = seq->items.count = 0;
     seq->pending = 0;
     seq->open = seq->no_memory = 0;
-    for (at = 0; at < dynamic->unit_count; ++at)
+    for (at = 0; at < dynamic->unit_count && !seq->no_memory; ++at)
         tr_i_arrange_unit(tr, dynamic, at, size);
 }
 
@@ -8803,6 +8811,7 @@ static tr_result tr_i_seq_work(tr_context *tr) {
 static void tr_i_take_wishes(tr_context *tr, const tr_dynamic *dynamic) {
     tr_i_sequence *seq = &tr->seq;
     const tr_i_law *law = &tr->see.law;
+    seq->exact = dynamic->see == TR_SEE_EXACT;
     seq->published = dynamic->see == TR_SEE_PUBLISHED;
     seq->product = seq->published || dynamic->combine == TR_MASK_PRODUCT;
     seq->each = seq->published || dynamic->occluders == TR_OCCLUDERS_EACH;
@@ -8812,7 +8821,6 @@ static void tr_i_take_wishes(tr_context *tr, const tr_dynamic *dynamic) {
     seq->wanted[1] = tr->frame.height;
     seq->wanted[2] = law->divisor;
     seq->wanted[3] = 0;
-    seq->exact = dynamic->see == TR_SEE_EXACT;
     seq->shape = dynamic->shape;
     seq->light = (tr->frame.wishes.options & TR_WISH_SRGB) != 0;
     seq->reach = law->reach;
@@ -8909,6 +8917,19 @@ static void tr_i_plan_sequence(tr_context *tr, const tr_dynamic *dynamic) {
         tr_i_plan_step(plan, seq, (const tr_i_step *)seq->steps.items + i);
 }
 
+/* The steps of what has been arranged. */
+static void tr_i_add_sequence(tr_context *tr, const tr_frame *frame, const tr_dynamic *dynamic) {
+    tr_i_sequence *seq = &tr->seq;
+    if (seq->exact) {
+        tr_i_add_exact_steps(tr, dynamic);
+        seq->wanted[3] = seq->peeled;
+    } else {
+        tr_i_add_steps(tr, dynamic);
+    }
+    tr_i_bound_masks(seq);
+    tr_i_add_blocks(tr, frame, dynamic);
+}
+
 /* Lists and steps; no GL. */
 static tr_result tr_i_arrange_sequence(tr_context *tr, const tr_frame *frame, const tr_dynamic *dynamic) {
     tr_i_sequence *seq = &tr->seq;
@@ -8921,18 +8942,31 @@ static tr_result tr_i_arrange_sequence(tr_context *tr, const tr_frame *frame, co
     if (seq->exact) {
         tr_i_arrange_masks(tr, dynamic, size);
         tr_i_sort_masks(tr);
-        tr_i_add_exact_steps(tr, dynamic);
-        seq->wanted[3] = seq->peeled;
     } else {
         tr_i_arrange_units(tr, dynamic, size);
-        tr_i_add_steps(tr, dynamic);
     }
-    tr_i_bound_masks(seq);
-    tr_i_add_blocks(tr, frame, dynamic);
+    if (!seq->no_memory) /* else lists are not whole */
+        tr_i_add_sequence(tr, frame, dynamic);
     if (seq->no_memory)
         return tr_i_fail(&tr->desc, TR_OUT_OF_MEMORY, "dynamic.units");
     tr_i_plan_sequence(tr, dynamic);
     return TR_OK;
+}
+
+/* Hosts that apply state themselves are told the built-in program of the scene, and what it reads. */
+static tr_result tr_i_prepare_scene(tr_context *tr) {
+    tr_result result = TR_OK;
+    if (tr->desc.state != TR_STATE_NONE || tr->see.plan.pass_count == 0)
+        return TR_OK;
+    if (!tr->see.buffer || !tr->programs[TR_RULE_SEE_PLAIN].name) {
+        tr_i_save(tr, &tr->saved);
+        result = tr_i_make_program(tr, TR_RULE_SEE_PLAIN);
+        tr_i_make_see_buffer(tr);
+        tr_i_restore(tr, &tr->saved);
+    }
+    if (result == TR_OK)
+        tr_i_upload_see_block(tr);
+    return result;
 }
 
 /* After tr_i_plan_see, which has placed the units. The state is as found afterwards: the scene comes first. */
@@ -8942,6 +8976,8 @@ static tr_result tr_i_begin_sequence(tr_context *tr, const tr_frame *frame, cons
     seq->step = 0;
     if (frame->width > 0 && frame->height > 0)
         result = tr_i_arrange_sequence(tr, frame, dynamic);
+    if (result == TR_OK)
+        result = tr_i_prepare_scene(tr);
     if (result != TR_OK || tr->see.plan.see == TR_SEE_OFF)
         return result;
     result = tr_i_check_see_target(tr);
@@ -9445,8 +9481,11 @@ static void tr_i_fill_step(tr_context *tr, const tr_i_step *step, tr_pass *pass)
         pass->units = (const uint32_t *)list->items + step->first;
         pass->unit_count = step->count;
     }
-    if (pass->kind == TR_PASS_SCENE)
+    if (pass->kind == TR_PASS_SCENE) { /* the first of the plan, as in the other rungs */
+        tr_i_fill_see_bindings(tr, 0, &pass->state);
+        tr_i_fill_see_tests(tr, 0, &pass->state);
         return;
+    }
     tr_i_place_step(tr, step, &pass->state);
     tr_i_test_step(tr, step, &pass->state);
 }

@@ -193,7 +193,7 @@ static void upload_mesh(battlefield_mesh *m, const scene_mesh *mesh, bool plain)
         glBufferSubData(GL_ARRAY_BUFFER, 2 * bytes, bytes, colors);
     for (GLuint i = 0; i < (colors ? 3u : 2u); i++) {
         glEnableVertexAttribArray(i);
-        glVertexAttribPointer(i, 3, GL_FLOAT, GL_FALSE, 0, (const char *)NULL + (ptrdiff_t)i * bytes);
+        glVertexAttribPointer(i, 3, GL_FLOAT, GL_FALSE, 0, (const void *)((uintptr_t)i * (uintptr_t)bytes));
     }
     for (GLuint i = 3; i < 8; i++) {
         glEnableVertexAttribArray(i);
@@ -294,15 +294,17 @@ static void stage(battlefield_gl *g, const uint32_t *parts, size_t count, bool i
     }
 }
 
+static const void *at_byte(size_t offset) {
+    return (const void *)(uintptr_t)offset;
+}
+
 static void point_at_instances(size_t first) {
-    const char *start = (const char *)NULL + first * sizeof(battlefield_instance);
+    const GLsizei stride = sizeof(battlefield_instance);
+    size_t start = first * sizeof(battlefield_instance);
     for (GLuint row = 0; row < 3; row++)
-        glVertexAttribPointer(3 + row, 4, GL_FLOAT, GL_FALSE, sizeof(battlefield_instance),
-                              start + 4 * row * sizeof(float));
-    glVertexAttribPointer(6, 3, GL_FLOAT, GL_FALSE, sizeof(battlefield_instance),
-                          start + offsetof(battlefield_instance, tint));
-    glVertexAttribIPointer(7, 1, GL_UNSIGNED_INT, sizeof(battlefield_instance),
-                           start + offsetof(battlefield_instance, code));
+        glVertexAttribPointer(3 + row, 4, GL_FLOAT, GL_FALSE, stride, at_byte(start + 4 * row * sizeof(float)));
+    glVertexAttribPointer(6, 3, GL_FLOAT, GL_FALSE, stride, at_byte(start + offsetof(battlefield_instance, tint)));
+    glVertexAttribIPointer(7, 1, GL_UNSIGNED_INT, stride, at_byte(start + offsetof(battlefield_instance, code)));
 }
 
 void battlefield_gl_draw(battlefield_gl *g, const uint32_t *parts, size_t count, bool in_order) {

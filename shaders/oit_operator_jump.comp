@@ -46,7 +46,7 @@ void main()
     bool column = OIT_STEP.x != 0u, changed = false;
     if (at == uvec2(0u))
         oit_surface[4u + (OIT_STEP.y + 1u & 3u)] = 0u;
-    uvec2 start = column ? uvec2(at.x, at.y * oit_reach) : uvec2(at.x * oit_reach, at.y);
+    uvec2 start = column ? uvec2(at.x, at.y * oit_reach) : uvec2(at.y * oit_reach, at.x); // x is what is long
     if (any(greaterThanEqual(start, size)) || oit_is_stable())
         return;
     uint p = start.y * size.x + start.x, stride = column ? size.x : 1u;

@@ -42,7 +42,7 @@ void main()
 {
     uvec2 size = uvec2(oit_area.zw), at = gl_GlobalInvocationID.xy;
     bool column = OIT_STEP.x != 0u;
-    uvec2 start = column ? uvec2(at.x, at.y * oit_reach) : uvec2(at.x * oit_reach, at.y);
+    uvec2 start = column ? uvec2(at.x, at.y * oit_reach) : uvec2(at.y * oit_reach, at.x); // x is what is long
     if (any(greaterThanEqual(start, size)))
         return;
     uint p = start.y * size.x + start.x, stride = column ? size.x : 1u, section = column ? OIT_EXTRA_STEP.z : OIT_IN_SIZES;

@@ -24,6 +24,7 @@ typedef struct dynamic_scene {
     ref_dyn_object *marks;
     uint32_t *parts;
     size_t count;
+    int x, y;      /* the viewport's corner in the target */
     bool reversed; /* depth in GL */
 } dynamic_scene;
 
@@ -295,7 +296,7 @@ static inline ref_dyn_pixel *dynamic_truth(const dynamic_scene *d, ref_dyn_censu
 /* The state in which a host draws its scene. */
 static inline void dynamic_set_state(const harness *h, const dynamic_scene *d, float far_depth) {
     harness_clear(h, d->scene.background, far_depth);
-    glViewport(0, 0, d->scene.width, d->scene.height);
+    glViewport(d->x, d->y, d->scene.width, d->scene.height);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(far_depth > 0 ? GL_LESS : GL_GREATER);
     glDepthMask(GL_TRUE);
@@ -306,6 +307,8 @@ static inline bool dynamic_try(harness *h, dynamic_scene *d, char *message, size
     tr_frame frame;
     memset(&frame, 0, sizeof frame);
     frame.framebuffer = h->framebuffer;
+    frame.x = d->x;
+    frame.y = d->y;
     frame.width = d->scene.width;
     frame.height = d->scene.height;
     dynamic_agree(d);

@@ -600,6 +600,10 @@ static void apply_by_hand(const tr_state *state) {
     glViewport(state->viewport[0], state->viewport[1], state->viewport[2], state->viewport[3]);
     glDepthRange(0, 1);
     glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+    if (state->scissor[2]) {
+        glEnable(GL_SCISSOR_TEST);
+        glScissor(state->scissor[0], state->scissor[1], state->scissor[2], state->scissor[3]);
+    }
     if (state->clear_color)
         glClearBufferfv(GL_COLOR, 0, state->clear_color_value);
     if (state->clear_depth)
@@ -614,7 +618,7 @@ static void apply_by_hand(const tr_state *state) {
         glEnable(GL_BLEND);
     glBlendFuncSeparate(state->blend_source, state->blend_destination, state->blend_source_alpha,
                         state->blend_destination_alpha);
-    glBlendEquation(GL_FUNC_ADD);
+    glBlendEquation(state->blend_equation ? state->blend_equation : GL_FUNC_ADD);
     if (state->cull_face) {
         glEnable(GL_CULL_FACE);
         glCullFace(state->cull_face);
@@ -771,13 +775,235 @@ static void test_multisampled_target_leaves_state(void **state) {
     harness_close(&h);
 }
 
+/* ---- dynamic transparency ---- */
+
+static const double DARK[3] = {0.25, 0.5, 0.75};
+
+/* The second box is a target within the first, the third is impenetrable and cuts both. */
+static tr_dynamic dynamic_wish(tr_see see, tr_unit units[3]) {
+    tr_dynamic d;
+    memset(&d, 0, sizeof d);
+    memset(units, 0, 3 * sizeof *units);
+    for (int i = 0; i < 3; ++i) {
+        const double *m = box_truths[i].model;
+        units[i].id = (uint32_t)i + 1;
+        for (int k = 0; k < 3; ++k)
+            units[i].center[k] = (float)m[12 + k];
+        units[i].radius = 1.8f * (float)m[0];
+    }
+    units[1].flags = TR_UNIT_TARGET;
+    units[2].flags = TR_UNIT_IMPENETRABLE;
+    units[0].importance = 0.25f;
+    /* Of whole objects the outer one is to be painted last. */
+    units[0].group = units[1].group = 1;
+    units[0].rank = 1;
+    for (int k = 0; k < 16; ++k) {
+        d.view[k] = (float)box_scene.view[k];
+        d.projection[k] = (float)box_scene.projection[k];
+    }
+    d.see = see;
+    d.units = units;
+    d.unit_count = 3;
+    d.query = see <= TR_SEE_DITHER;
+    return d;
+}
+
+static void draw_units(harness *h, const tr_pass *pass, const tr_unit *units) {
+    for (size_t i = 0; i < pass->unit_count; ++i) {
+        tr_material material;
+        uint32_t unit = pass->units[i];
+        harness_material(&box_scene, &boxes[unit].truth, &material);
+        material.object = tr_unit_code(&units[unit]);
+        tr_set_material(h->tr, pass, &material);
+        glBindVertexArray(boxes[unit].array);
+        glDrawElements(GL_TRIANGLES, 36, GL_UNSIGNED_INT, NULL);
+    }
+}
+
+/* The scene as a host has drawn it before, so that hostile state need not be left for it. Sequences paint the outer box
+ * themselves. */
+static void draw_scene_alone(harness *h, tr_frame frame, tr_see see) {
+    tr_unit units[3];
+    tr_dynamic d = dynamic_wish(TR_SEE_OFF, units);
+    tr_pass pass;
+    plain_state();
+    harness_clear(h, DARK, 1.0f);
+    glViewport(0, 0, 64, 64);
+    glDepthFunc(GL_LESS);
+    glCullFace(GL_BACK);
+    glFrontFace(GL_CCW);
+    glDepthRangef(0, 1);
+    if (!is_es)
+        glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+    glEnable(GL_DEPTH_TEST);
+    glEnable(GL_CULL_FACE);
+    frame.width = frame.height = 64;
+    assert_int_equal(tr_begin_dynamic(h->tr, &frame, &d), TR_OK);
+    while (tr_next_pass(h->tr, &pass)) {
+        bool painted = see == TR_SEE_SEQUENCE || see == TR_SEE_PUBLISHED;
+        pass.units += painted;
+        pass.unit_count -= painted;
+        draw_units(h, &pass, units);
+    }
+    assert_int_equal(tr_end(h->tr), TR_OK);
+    glBindVertexArray(0);
+}
+
+static void run_dynamic(harness *h, const tr_frame *frame, tr_see see) {
+    tr_unit units[3];
+    tr_dynamic d = dynamic_wish(see, units);
+    tr_pass pass;
+    tr_hidden hidden[4];
+    size_t count;
+    assert_int_equal(tr_begin_dynamic(h->tr, frame, &d), TR_OK);
+    assert_int_equal(tr_get_info(h->tr).see_plan->see, frame->height ? see : TR_SEE_OFF);
+    while (tr_next_pass(h->tr, &pass))
+        if (pass.kind != TR_PASS_SCENE)
+            draw_units(h, &pass, units);
+    assert_int_equal(tr_end(h->tr), TR_OK);
+    assert_int_equal(tr_query_hidden(h->tr, hidden, 4, &count), TR_OK);
+}
+
+/* As check_restore, of every rung; sizes change, and rungs from frame to frame. */
+static void check_dynamic_restore(int gl_version, bool es) {
+    static unsigned char first[5][64 * 64 * 4], plain[64 * 64 * 4], picture[64 * 64 * 4];
+    static const int other_sizes[3][2] = {{32, 64}, {17, 5}, {64, 0}};
+    harness h;
+    hostile_names names;
+    is_es = es;
+    version = gl_version;
+    harness_open(&h, gl_version, es, NULL);
+    make_boxes();
+    make_names(&names);
+    harness_target(&h, 64, 64);
+    for (int round = 0; round < 60; ++round) {
+        tr_see see = (tr_see)(round % 5);
+        tr_frame frame = harness_frame(&h, &box_scene, boxes, 3);
+        draw_scene_alone(&h, frame, see);
+        read_picture(&h, plain);
+        seed = (uint32_t)round;
+        hostile_state(&names);
+        bool other = round >= 5 && round % 4 == 3;
+        if (other) {
+            frame.width = other_sizes[round / 4 % 3][0];
+            frame.height = other_sizes[round / 4 % 3][1];
+        }
+        snapshot before = take_snapshot();
+        run_dynamic(&h, &frame, see);
+        snapshot after = take_snapshot();
+        compare_snapshots(&before, &after);
+        h.quiet = true;
+        tr_unit units[3];
+        tr_dynamic wish = dynamic_wish(see, units);
+        frame.framebuffer = names.framebuffers[2];
+        frame.width = frame.height = 64;
+        assert_int_equal(tr_begin_dynamic(h.tr, &frame, &wish), TR_TARGET_INCOMPLETE);
+        wish.mask_divisor = 3;
+        assert_int_equal(tr_begin_dynamic(h.tr, &frame, &wish), TR_INVALID_ARGUMENT);
+        snapshot failed = take_snapshot();
+        compare_snapshots(&before, &failed);
+        h.quiet = false;
+        plain_state();
+        read_picture(&h, round < 5 ? first[round] : picture);
+        if (round < 5 && see != TR_SEE_DITHER)
+            assert_memory_not_equal(plain, first[round], sizeof plain);
+        if (round >= 5 && !other)
+            assert_memory_equal(first[see], picture, sizeof picture);
+    }
+    for (int i = 0; i < 3; ++i)
+        harness_drop_object(&boxes[i]);
+    drop_names(&names);
+    harness_close(&h);
+}
+
+static void test_dynamic_state_is_restored(void **state) {
+    (void)state;
+    check_dynamic_restore(450, false);
+    check_dynamic_restore(330, false);
+    check_dynamic_restore(320, true);
+    check_dynamic_restore(300, true);
+}
+
+static void draw_dynamic_from_data(harness *h, const tr_frame *frame, tr_see see) {
+    tr_unit units[3];
+    tr_dynamic d = dynamic_wish(see, units);
+    tr_pass pass;
+    assert_int_equal(tr_begin_dynamic(h->tr, frame, &d), TR_OK);
+    while (tr_next_pass(h->tr, &pass)) {
+        apply_by_hand(&pass.state);
+        draw_units(h, &pass, units);
+    }
+    assert_int_equal(tr_end(h->tr), TR_OK);
+}
+
+/* The scene is the host's to draw; with LEAVE_DIRTY and LEAVE_DEFAULTS it sets all that it needs. */
+static void draw_dynamic(harness *h, const tr_frame *frame, tr_see see) {
+    tr_unit units[3];
+    tr_dynamic d = dynamic_wish(see, units);
+    tr_pass pass;
+    assert_int_equal(tr_begin_dynamic(h->tr, frame, &d), TR_OK);
+    while (tr_next_pass(h->tr, &pass)) {
+        if (pass.kind == TR_PASS_SCENE) {
+            glBindFramebuffer(GL_FRAMEBUFFER, h->framebuffer);
+            glViewport(0, 0, 64, 64);
+            glEnable(GL_DEPTH_TEST);
+            glEnable(GL_CULL_FACE);
+            glDisable(GL_BLEND);
+            glDisable(GL_SCISSOR_TEST);
+            glDepthFunc(GL_LESS);
+            glDepthMask(1);
+            glColorMask(1, 1, 1, 1);
+        }
+        draw_units(h, &pass, units);
+    }
+    assert_int_equal(tr_end(h->tr), TR_OK);
+}
+
+/* All four policies, every rung, two frames each: the very same picture. */
+static void test_dynamic_policies_draw_the_same(void **state) {
+    static unsigned char pictures[4][64 * 64 * 4], plain[64 * 64 * 4];
+    (void)state;
+    is_es = false;
+    version = 450;
+    for (int see = TR_SEE_OFF; see >= TR_SEE_ONE_MASK; --see)
+        for (int policy = 0; policy < 4; ++policy) {
+            harness h;
+            tr_desc desc = {0};
+            desc.state = (tr_state_policy)policy;
+            harness_open(&h, 450, false, &desc);
+            make_boxes();
+            harness_target(&h, 64, 64);
+            tr_frame frame = harness_frame(&h, &box_scene, boxes, 3);
+            for (int i = 0; i < 2; ++i) {
+                plain_state();
+                harness_clear(&h, DARK, 1.0f);
+                if (policy == TR_STATE_NONE)
+                    draw_dynamic_from_data(&h, &frame, (tr_see)see);
+                else
+                    draw_dynamic(&h, &frame, (tr_see)see);
+                assert_int_equal(glGetError(), GL_NO_ERROR);
+            }
+            plain_state();
+            read_picture(&h, pictures[policy]);
+            assert_memory_equal(pictures[0], pictures[policy], sizeof pictures[0]);
+            if (see == TR_SEE_OFF)
+                memcpy(plain, pictures[0], sizeof plain);
+            else
+                assert_memory_not_equal(pictures[0], plain, sizeof plain);
+            for (int i = 0; i < 3; ++i)
+                harness_drop_object(&boxes[i]);
+            harness_close(&h);
+        }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_state_is_restored_gl45),     cmocka_unit_test(test_state_is_restored_gl33),
-        cmocka_unit_test(test_state_is_restored_es32),     cmocka_unit_test(test_state_is_restored_es30),
-        cmocka_unit_test(test_other_calls_leave_state),    cmocka_unit_test(test_defaults_are_left),
-        cmocka_unit_test(test_policies_draw_the_same),     cmocka_unit_test(test_multisampled_target_leaves_state),
-        cmocka_unit_test(test_deleted_names_stay_unbound),
+        cmocka_unit_test(test_state_is_restored_gl45),         cmocka_unit_test(test_state_is_restored_gl33),
+        cmocka_unit_test(test_state_is_restored_es32),         cmocka_unit_test(test_state_is_restored_es30),
+        cmocka_unit_test(test_other_calls_leave_state),        cmocka_unit_test(test_defaults_are_left),
+        cmocka_unit_test(test_policies_draw_the_same),         cmocka_unit_test(test_multisampled_target_leaves_state),
+        cmocka_unit_test(test_deleted_names_stay_unbound),     cmocka_unit_test(test_dynamic_state_is_restored),
+        cmocka_unit_test(test_dynamic_policies_draw_the_same),
     };
     return cmocka_run_group_tests_name("gl_state", tests, NULL, NULL);
 }

@@ -135,7 +135,7 @@ static void (*const plain_changes[])(setting *) = {
 
 static void plain_drawing_calls_nothing(void **state) {
     (void)state;
-    for (int see = TR_SEE_ONE_MASK; see <= TR_SEE_DITHER; ++see)
+    for (int see = TR_SEE_ONE_MASK; see <= TR_SEE_PUBLISHED; ++see)
         for (size_t i = 0; i < sizeof plain_changes / sizeof plain_changes[0]; ++i)
             for (int policy = TR_STATE_RESTORE; policy <= TR_STATE_LEAVE_DIRTY; ++policy) {
                 tr_context *tr = open_context((tr_state_policy)policy, NULL);
@@ -143,7 +143,7 @@ static void plain_drawing_calls_nothing(void **state) {
                 s.dynamic.see = (tr_see)see;
                 drawn d = run_dynamic(tr, &s);
                 assert_int_equal(seen(tr), see);
-                assert_true(d.kinds[TR_PASS_TARGETS] == 1 && d.calls > 0);
+                assert_true(d.kinds[see <= TR_SEE_DITHER ? TR_PASS_TARGETS : TR_PASS_SEEDS] >= 1 && d.calls > 0);
                 plain_changes[i](&s);
                 d = run_dynamic(tr, &s);
                 assert_int_equal(seen(tr), TR_SEE_OFF);
@@ -159,28 +159,40 @@ static void plain_drawing_calls_nothing(void **state) {
 /* The first frame of all, too: nothing is created for what is not drawn. */
 static void plain_drawing_creates_nothing(void **state) {
     (void)state;
-    for (size_t i = 0; i < sizeof plain_changes / sizeof plain_changes[0]; ++i) {
-        tr_context *tr = open_context(TR_STATE_RESTORE, NULL);
-        setting s = make_setting();
-        plain_changes[i](&s);
-        assert_int_equal(run_dynamic(tr, &s).calls, 0);
-        assert_int_equal(tr_get_info(tr).bytes, 0);
-        for (int kind = 0; kind < FENCES; ++kind)
-            assert_int_equal(driver.live[kind], 0);
-        tr_destroy(tr);
-        assert_nothing_left();
-    }
+    for (int see = TR_SEE_ONE_MASK; see <= TR_SEE_PUBLISHED; ++see)
+        for (size_t i = 0; i < sizeof plain_changes / sizeof plain_changes[0]; ++i) {
+            tr_context *tr = open_context(TR_STATE_RESTORE, NULL);
+            setting s = make_setting();
+            s.dynamic.see = (tr_see)see;
+            plain_changes[i](&s);
+            assert_int_equal(run_dynamic(tr, &s).calls, 0);
+            assert_int_equal(tr_get_info(tr).bytes, 0);
+            for (int kind = 0; kind < FENCES; ++kind)
+                assert_int_equal(driver.live[kind], 0);
+            tr_destroy(tr);
+            assert_nothing_left();
+        }
 }
 
 static void an_empty_viewport_draws_nothing(void **state) {
-    tr_context *tr = open_context(TR_STATE_RESTORE, NULL);
-    setting s = make_setting();
     (void)state;
-    s.frame.width = 0;
-    drawn d = run_dynamic(tr, &s);
-    assert_int_equal(d.passes, 0);
-    assert_int_equal(d.calls, 0);
-    tr_destroy(tr);
+    for (int see = TR_SEE_ONE_MASK; see <= TR_SEE_OFF; ++see)
+        for (int side = 0; side < 2; ++side) {
+            tr_context *tr = open_context(TR_STATE_RESTORE, NULL);
+            setting s = make_setting();
+            s.dynamic.see = (tr_see)see;
+            if (side)
+                s.frame.width = 0;
+            else
+                s.frame.height = 0;
+            drawn d = run_dynamic(tr, &s);
+            assert_int_equal(d.passes, 0);
+            assert_int_equal(d.calls, 0);
+            s = make_setting();
+            s.dynamic.see = (tr_see)see;
+            assert_true(run_dynamic(tr, &s).passes > 0);
+            tr_destroy(tr);
+        }
 }
 
 /* Each pass is there for a reason that the setting can take away. */
@@ -216,6 +228,90 @@ static void passes_are_those_called_for(void **state) {
     assert_nothing_left();
 }
 
+/* How often a kind of pass comes in a frame, those of ours among them. */
+static uint32_t times_of(const tr_context *tr, tr_pass_kind kind) {
+    const tr_see_plan *plan = tr_get_info(tr).see_plan;
+    for (int i = 0; i < plan->pass_count; ++i)
+        if (plan->passes[i].kind == kind)
+            return plan->passes[i].times;
+    return 0;
+}
+
+/* Of sequences as well: occluders are counted, in a target of our own, where they share a mask or layers are told; what
+ * closes masks is drawn where there is any; and targets that do not overlap are one run. */
+static void sequences_are_those_called_for(void **state) {
+    tr_context *tr = open_context(TR_STATE_RESTORE, NULL);
+    setting s = make_setting();
+    (void)state;
+    s.dynamic.see = TR_SEE_SEQUENCE;
+    drawn d = run_dynamic(tr, &s);
+    assert_true(d.kinds[TR_PASS_COUNT] == 2 && d.kinds[TR_PASS_BLOCK] == 1 && times_of(tr, TR_PASS_PAINT_OVER) == 1);
+    assert_true(d.units[TR_PASS_SCENE] == 2 && d.units[TR_PASS_PAINT] == 1); /* the tree alone is painted */
+    s.units[GROUND].flags = 0;
+    s.dynamic.occluders = TR_OCCLUDERS_EACH;
+    d = run_dynamic(tr, &s);
+    assert_int_equal(d.kinds[TR_PASS_COUNT] + d.kinds[TR_PASS_BLOCK] + (int)times_of(tr, TR_PASS_PAINT_OVER), 0);
+    assert_int_equal(d.passes, 4); /* scene, seeds, depth and colour of the tree */
+    assert_int_equal(times_of(tr, TR_PASS_EXTENTS) + times_of(tr, TR_PASS_FORMS), 0);
+    s.dynamic.shape = TR_MASK_HULL;
+    assert_int_equal(run_dynamic(tr, &s).passes, 4);
+    assert_true(times_of(tr, TR_PASS_EXTENTS) == 1 && times_of(tr, TR_PASS_FORMS) == 1);
+    s.dynamic.shape = TR_MASK_OUTLINE;
+    s.dynamic.layers = 1;
+    assert_int_equal(run_dynamic(tr, &s).kinds[TR_PASS_COUNT], 2);
+    s.dynamic.layers = 0;
+    s.dynamic.see = TR_SEE_PUBLISHED; /* each occluder on its own */
+    assert_int_equal(run_dynamic(tr, &s).kinds[TR_PASS_COUNT], 0);
+    s.dynamic.see = TR_SEE_EXACT;
+    s.dynamic.occluders = TR_OCCLUDERS_TOGETHER;
+    d = run_dynamic(tr, &s);
+    assert_int_equal(tr_get_info(tr).see_plan->runs, 1);
+    assert_int_equal(tr_get_info(tr).see_plan->layers, 3); /* tree and ground, by its sphere, and what is behind them */
+    assert_true(d.kinds[TR_PASS_PEEL_UNITS] == 3 && times_of(tr, TR_PASS_KEEP) == 3 &&
+                times_of(tr, TR_PASS_SHARE) == 1);
+    assert_int_equal(d.kinds[TR_PASS_SEEDS], 1);
+    s.units[GROUND].flags = TR_UNIT_TARGET; /* another target, which reaches all around the first: a run of its own */
+    d = run_dynamic(tr, &s);
+    assert_int_equal(tr_get_info(tr).see_plan->runs, 2);
+    assert_int_equal(d.kinds[TR_PASS_SEEDS], 4);
+    tr_destroy(tr);
+    assert_nothing_left();
+}
+
+/* Ten targets that stand apart behind one wall: as many passes as for one of them. */
+static void targets_apart_are_one_batch(void **state) {
+    enum { APART = 10 };
+    static const tr_see sees[] = {TR_SEE_SEQUENCE, TR_SEE_PUBLISHED, TR_SEE_EXACT};
+    (void)state;
+    for (size_t m = 0; m < sizeof sees / sizeof sees[0]; ++m) {
+        tr_context *tr = open_context(TR_STATE_RESTORE, NULL);
+        setting s = make_setting();
+        tr_unit many[APART + 1];
+        int passes[2] = {0, 0};
+        for (int i = 0; i <= APART; ++i) {
+            many[i] = s.units[i ? TARGET : TREE];
+            many[i].id = (uint32_t)i + 1;
+            many[i].center[0] = i ? 2.2f * (float)i - 12.1f : 0;
+            many[i].radius = i ? 0.3f : 9;
+        }
+        for (int i = 0; i < 2; ++i) {
+            tr_pass pass;
+            s.dynamic.see = sees[m];
+            s.dynamic.units = many;
+            s.dynamic.unit_count = i ? APART + 1 : 2;
+            assert_int_equal(tr_begin_dynamic(tr, &s.frame, &s.dynamic), TR_OK);
+            while (tr_next_pass(tr, &pass))
+                ++passes[i];
+            assert_int_equal(tr_end(tr), TR_OK);
+            assert_int_equal(tr_get_info(tr).see_plan->runs, 1);
+            assert_int_equal(tr_get_info(tr).see_plan->masks, i ? APART : 1);
+        }
+        assert_int_equal(passes[0], passes[1]);
+        tr_destroy(tr);
+        assert_nothing_left();
+    }
+}
+
 /* ---- bytes ---- */
 
 static void bytes_are_those_of_the_plan(void **state) {
@@ -247,6 +343,37 @@ static void bytes_are_those_of_the_plan(void **state) {
         }
 }
 
+/* Of sequences: the targets' depth, rows and cells; depth of the backdrop; then masks, and a target of our own with
+ * counters, or depth to where masks look and the layers. */
+static void bytes_of_sequences(void **state) {
+    (void)state;
+    for (int see = TR_SEE_EXACT; see <= TR_SEE_PUBLISHED; ++see)
+        for (int divisor = 1; divisor <= 8; divisor *= 2) {
+            tr_context *tr = open_context(TR_STATE_RESTORE, NULL);
+            setting s = make_setting();
+            s.dynamic.see = (tr_see)see;
+            s.dynamic.mask_divisor = divisor;
+            s.frame.width = 645;
+            s.frame.height = 483;
+            run_dynamic(tr, &s);
+            uint64_t w = 645, h = 483, d = (uint64_t)divisor, x = (w + d - 1) / d, y = (h + d - 1) / d;
+            uint64_t layers = tr_get_info(tr).see_plan->layers, bytes = 4 * w * h + 2 * x * h + 4 * x * y;
+            bytes += see == TR_SEE_PUBLISHED ? 0 : 4 * w * h;
+            bytes += see == TR_SEE_EXACT ? (8 + ((layers + 1) / 2 * 2) * 4 + layers * 8 + (layers + 3) / 4 * 8) * w * h
+                                         : 4 * w * h;
+            bytes += see == TR_SEE_SEQUENCE ? (8 + 4 + 2) * w * h : 0;
+            assert_int_equal(tr_get_info(tr).see_plan->bytes, bytes);
+            assert_int_equal(tr_get_info(tr).bytes, bytes);
+            assert_int_equal(tr_release(tr), TR_OK);
+            assert_int_equal(tr_get_info(tr).bytes, 0);
+            assert_int_equal(driver.live[TEXTURES], 0);
+            run_dynamic(tr, &s);
+            assert_int_equal(tr_get_info(tr).bytes, bytes);
+            tr_destroy(tr);
+            assert_nothing_left();
+        }
+}
+
 /* ---- steady frames ---- */
 
 static void steady_frames_create_nothing(void **state) {
@@ -255,7 +382,7 @@ static void steady_frames_create_nothing(void **state) {
                                         "BufferData",   "LinkProgram",   "CompileShader"};
     (void)state;
     for (int version = 0; version < VERSIONS; ++version)
-        for (int see = TR_SEE_ONE_MASK; see <= TR_SEE_DITHER; ++see)
+        for (int see = TR_SEE_ONE_MASK; see <= TR_SEE_PUBLISHED; ++see)
             for (int policy = TR_STATE_RESTORE; policy <= TR_STATE_NONE; ++policy) {
                 unsigned char texels[4 * 160 * 120] = {0};
                 tr_context *tr = open_context((tr_state_policy)policy, versions[version]);
@@ -264,7 +391,7 @@ static void steady_frames_create_nothing(void **state) {
                 size_t count;
                 driver.mapped = texels;
                 s.dynamic.see = (tr_see)see;
-                s.dynamic.query = 1;
+                s.dynamic.query = see <= TR_SEE_DITHER;
                 run_dynamic(tr, &s);
                 int first = driver.call_count, heap = blocks_left;
                 for (int i = 0; i < 6; ++i) {
@@ -487,28 +614,39 @@ static void bad_input_is_refused(void **state) {
 /* Units that are odd but no mistake: NaN bounds, radius 0, importance out of range. */
 static void odd_units_are_drawn(void **state) {
     (void)state;
-    for (int i = 0; i < 6; ++i) {
-        tr_context *tr = open_context(TR_STATE_RESTORE, NULL);
-        setting s = make_setting();
-        tr_unit *target = &s.units[TARGET];
-        if (i < 2)
-            s.units[i].center[1] = one_nan();
-        else if (i == 2)
-            target->radius = 0;
-        else if (i == 3)
-            target->importance = 8;
-        else if (i == 4)
-            s.units[TREE].importance = -3;
-        else
-            target->radius = one_nan();
-        drawn d = run_dynamic(tr, &s);
-        assert_int_equal(d.units[TR_PASS_TARGETS], 1);
-        assert_true(tr_get_info(tr).see_plan->covered > 0);
-        if (i == 1 || i == 5)
-            assert_true(tr_get_info(tr).see_plan->covered > 0.999f);
-        tr_destroy(tr);
-        assert_nothing_left();
-    }
+    for (int see = TR_SEE_ONE_MASK; see <= TR_SEE_PUBLISHED; ++see)
+        for (int i = 0; i < 7; ++i) {
+            tr_context *tr = open_context(TR_STATE_RESTORE, NULL);
+            setting s = make_setting();
+            tr_unit *target = &s.units[TARGET];
+            s.dynamic.see = (tr_see)see;
+            if (i < 2)
+                s.units[i].center[1] = one_nan();
+            else if (i == 2)
+                target->radius = 0;
+            else if (i == 3)
+                target->importance = 8;
+            else if (i == 4)
+                s.units[TREE].importance = -3;
+            else if (i == 5)
+                target->radius = one_nan();
+            else
+                target->importance = s.units[TREE].importance = target->fade = one_nan();
+            drawn d = run_dynamic(tr, &s);
+            /* Where the order is that of middles, what has none is the farthest, and painted first. */
+            if (i == 0 && see >= TR_SEE_SEQUENCE) {
+                assert_int_equal(seen(tr), TR_SEE_OFF);
+                tr_destroy(tr);
+                continue;
+            }
+            assert_int_equal(seen(tr), see);
+            assert_int_equal(d.units[see <= TR_SEE_DITHER ? TR_PASS_TARGETS : TR_PASS_SEEDS], 1);
+            assert_true(tr_get_info(tr).see_plan->covered > 0);
+            if (i == 1 || i == 5)
+                assert_true(tr_get_info(tr).see_plan->covered > 0.999f);
+            tr_destroy(tr);
+            assert_nothing_left();
+        }
 }
 
 static void hundred_thousand_units(void **state) {
@@ -601,10 +739,56 @@ static void failures_leave_nothing(void **state) {
     }
 }
 
+/* The same of sequences, one by one until there is no more that can fail. */
+static void failures_of_sequences_leave_nothing(void **state) {
+    (void)state;
+    for (int see = TR_SEE_EXACT; see <= TR_SEE_PUBLISHED; ++see)
+        for (int what = 0; what < 3; ++what) {
+            int failed = 0, first = 1;
+            for (int n = 1; first || failed; ++n) {
+                tr_context *tr = open_context(TR_STATE_RESTORE, NULL);
+                setting s = make_setting();
+                tr_pass pass;
+                s.dynamic.units = s.units;
+                s.dynamic.see = (tr_see)see;
+                if (what == 0)
+                    blocks_left = n - 1;
+                else if (what == 1)
+                    driver.fail_compile = n;
+                else
+                    driver.fail_framebuffer = n == 1 ? 1 : 0; /* ours are tried again with 8 bits */
+                tr_result result = tr_begin_dynamic(tr, &s.frame, &s.dynamic);
+                first = 0;
+                failed = result != TR_OK && (what == 0 || n < 2);
+                assert_int_equal(result, result == TR_OK ? TR_OK
+                                         : what == 0     ? TR_OUT_OF_MEMORY
+                                         : what == 1     ? TR_SHADER_FAILED
+                                                         : TR_TARGET_INCOMPLETE);
+                assert_true(result != TR_OK || n > 1);
+                if (result != TR_OK) {
+                    assert_true(strlen(driver.text) > 10);
+                    assert_int_equal(tr_next_pass(tr, &pass), 0);
+                    assert_int_equal(tr_end(tr), TR_WRONG_ORDER);
+                } else {
+                    while (tr_next_pass(tr, &pass)) {
+                    }
+                    assert_int_equal(tr_end(tr), TR_OK);
+                }
+                assert_int_equal(driver.bound_framebuffer, 0);
+                assert_int_equal(driver.program, 0);
+                driver.fail_framebuffer = driver.fail_compile = 0;
+                blocks_left = 1000;
+                run_dynamic(tr, &s);
+                tr_destroy(tr);
+                assert_nothing_left();
+            }
+        }
+}
+
 /* The context is lost at each call in turn: no crash, no endless loop, nothing of ours on the heap afterwards. */
 static void contexts_may_be_lost_anywhere(void **state) {
     (void)state;
-    for (int see = TR_SEE_ONE_MASK; see <= TR_SEE_DITHER; ++see)
+    for (int see = TR_SEE_ONE_MASK; see <= TR_SEE_PUBLISHED; ++see)
         for (int at = 1, done = 0; !done; at += 7) {
             tr_context *tr = open_context(TR_STATE_RESTORE, NULL);
             setting s = make_setting();
@@ -616,7 +800,7 @@ static void contexts_may_be_lost_anywhere(void **state) {
             driver.signalled = true;
             s.dynamic.units = s.units;
             s.dynamic.see = (tr_see)see;
-            s.dynamic.query = 1;
+            s.dynamic.query = see <= TR_SEE_DITHER;
             driver.lost_at = driver.call_count + at;
             if (tr_begin_dynamic(tr, &s.frame, &s.dynamic) == TR_OK) {
                 while (tr_next_pass(tr, &pass)) {
@@ -637,40 +821,50 @@ static void no_state_calls_where_the_host_makes_them(void **state) {
     static const char *const never[] = {"Enable",          "Disable",  "Enablei",          "Disablei",     "UseProgram",
                                         "BindFramebuffer", "Viewport", "ViewportIndexedf", "DrawArrays",   "DepthMask",
                                         "BindTexture",     "Scissor",  "ScissorIndexed",   "ClearBufferfv"};
-    tr_context *tr = open_context(TR_STATE_NONE, NULL);
-    setting s = make_setting();
-    tr_pass pass;
     (void)state;
-    run_dynamic(tr, &s);
-    int first = driver.call_count, full_screen = 0;
-    s.dynamic.units = s.units;
-    assert_int_equal(tr_begin_dynamic(tr, &s.frame, &s.dynamic), TR_OK);
-    while (tr_next_pass(tr, &pass)) {
-        const tr_state *st = &pass.state;
-        bool drawn_by_host = pass.unit_count > 0;
-        assert_true(drawn_by_host == (st->vertex_count == 0));
-        assert_true(st->program != 0);
-        assert_true(st->viewport[2] > 0 && st->viewport[3] > 0);
-        assert_true((st->framebuffer == 0) == (pass.kind == TR_PASS_SCENE || pass.kind == TR_PASS_COMPOSE_MASK));
-        if (st->scissor[2])
-            assert_true(st->scissor[0] >= 0 && st->scissor[0] + st->scissor[2] <= st->viewport[2] &&
-                        st->scissor[1] >= 0 && st->scissor[1] + st->scissor[3] <= st->viewport[3]);
-        full_screen += !drawn_by_host;
-        if (!drawn_by_host)
-            assert_int_equal(st->vertex_count % 6, 0);
+    for (int see = TR_SEE_ONE_MASK; see <= TR_SEE_OFF; ++see) {
+        tr_context *tr = open_context(TR_STATE_NONE, NULL);
+        setting s = make_setting();
+        tr_pass pass;
+        s.dynamic.see = (tr_see)see;
+        run_dynamic(tr, &s);
+        int first = driver.call_count, full_screen = 0;
+        s.dynamic.units = s.units;
+        assert_int_equal(tr_begin_dynamic(tr, &s.frame, &s.dynamic), TR_OK);
+        while (tr_next_pass(tr, &pass)) {
+            const tr_state *st = &pass.state;
+            bool drawn_by_host = pass.unit_count > 0;
+            assert_true(drawn_by_host == (st->vertex_count == 0));
+            assert_true(st->program != 0);
+            assert_true(st->viewport[2] > 0 && st->viewport[3] > 0);
+            if (see <= TR_SEE_DITHER)
+                assert_true((st->framebuffer == 0) ==
+                            (pass.kind == TR_PASS_SCENE || pass.kind == TR_PASS_COMPOSE_MASK));
+            if (pass.kind == TR_PASS_SCENE)
+                assert_true(st->framebuffer == 0 && st->depth_test && st->depth_write && st->color_write && !st->blend);
+            if (st->scissor[2])
+                assert_true(st->scissor[0] >= 0 && st->scissor[0] + st->scissor[2] <= st->viewport[2] &&
+                            st->scissor[1] >= 0 && st->scissor[1] + st->scissor[3] <= st->viewport[3]);
+            full_screen += !drawn_by_host;
+            if (!drawn_by_host && see <= TR_SEE_DITHER)
+                assert_int_equal(st->vertex_count % 6, 0);
+            for (int i = 0; i < TR_TEXTURE_UNITS; ++i) /* what is read is not what is drawn into */
+                assert_true(st->textures[i] == 0 || st->texture_targets[i] != 0);
+        }
+        assert_int_equal(tr_end(tr), TR_OK);
+        if (see == TR_SEE_ONE_MASK)
+            assert_int_equal(full_screen, 6);
+        for (size_t i = 0; i < sizeof never / sizeof never[0]; ++i)
+            assert_int_equal(called_since(first, never[i]), 0);
+        tr_destroy(tr);
+        assert_nothing_left();
     }
-    assert_int_equal(tr_end(tr), TR_OK);
-    assert_int_equal(full_screen, 6);
-    for (size_t i = 0; i < sizeof never / sizeof never[0]; ++i)
-        assert_int_equal(called_since(first, never[i]), 0);
-    tr_destroy(tr);
-    assert_nothing_left();
 }
 
 /* The scene is drawn in the host's state: before it the header has changed nothing, or put all back. */
 static void the_scene_is_the_hosts(void **state) {
     (void)state;
-    for (int see = TR_SEE_ONE_MASK; see <= TR_SEE_DITHER; ++see) {
+    for (int see = TR_SEE_ONE_MASK; see <= TR_SEE_PUBLISHED; ++see) {
         tr_context *tr = open_context(TR_STATE_RESTORE, NULL);
         setting s = make_setting();
         tr_pass pass;
@@ -688,7 +882,7 @@ static void the_scene_is_the_hosts(void **state) {
         while (pass.kind != TR_PASS_SCENE);
         assert_int_equal(driver.program, 77);
         assert_int_equal(driver.bound_framebuffer, 55);
-        if (see == TR_SEE_ONE_MASK) /* the first pass */
+        if (see != TR_SEE_DITHER) /* the first pass */
             assert_int_equal(called_since(first, "UseProgram") + called_since(first, "Enable"), 0);
         else
             assert_true(driver.unit_textures[8 + TR_I_SCENE_DEPTH] == pass.state.textures[TR_I_SCENE_DEPTH]);
@@ -756,7 +950,10 @@ int main(void) {
         cmocka_unit_test(plain_drawing_creates_nothing),
         cmocka_unit_test(an_empty_viewport_draws_nothing),
         cmocka_unit_test(passes_are_those_called_for),
+        cmocka_unit_test(sequences_are_those_called_for),
+        cmocka_unit_test(targets_apart_are_one_batch),
         cmocka_unit_test(bytes_are_those_of_the_plan),
+        cmocka_unit_test(bytes_of_sequences),
         cmocka_unit_test(steady_frames_create_nothing),
         cmocka_unit_test(lists_grow_with_room_to_spare),
         cmocka_unit_test(queries_count_texels),
@@ -766,6 +963,7 @@ int main(void) {
         cmocka_unit_test(hundred_thousand_units),
         cmocka_unit_test(rungs_say_what_they_cannot),
         cmocka_unit_test(failures_leave_nothing),
+        cmocka_unit_test(failures_of_sequences_leave_nothing),
         cmocka_unit_test(contexts_may_be_lost_anywhere),
         cmocka_unit_test(no_state_calls_where_the_host_makes_them),
         cmocka_unit_test(the_scene_is_the_hosts),

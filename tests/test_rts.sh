@@ -90,9 +90,15 @@ for knob in narrow clear active; do
     check "$knob: another picture" differ out/one-mask.png out/$knob.png
 done
 check 'all faded out: as if off' cmp -s out/off.png out/faded.png
-run $small --scene abstract --shape circle --method sequence -o out/circle.png
-check '--shape circle: a picture, or one line that says why not' sh -c \
-    '[ "$1" -eq 0 ] && ! cmp -s out/circle.png out/sequence.png || grep -q "^rts: .*shape" stderr' - "$status"
+for shape in circle ellipse hull; do
+    drawn "--shape $shape" $shape --scene abstract --shape $shape --method sequence
+    check "$shape: another picture than of outlines" differ out/sequence.png out/$shape.png
+done
+check 'a circle is no ellipse' differ out/circle.png out/ellipse.png
+check 'an ellipse is no hull' differ out/ellipse.png out/hull.png
+drawn '--shape of exact' exact_hull --scene abstract --shape hull --method exact
+check 'a hull of exact' differ out/exact.png out/exact_hull.png
+refused '--shape of one mask' 1 --scene abstract --shape circle -o out/x.png
 drawn '--layers 1' layer --scene abstract --layers 1 --method sequence
 drawn '--occluders each' each --scene abstract --occluders each --method sequence
 drawn '--combine product' product --scene abstract --combine product --method sequence
