@@ -48,7 +48,7 @@ build = @+$(MAKE) --no-print-directory $(if $(filter -j% --jobserver%,$(MAKEFLAG
 
 .PHONY: help demo test deps shaders check-generated check-shaders headers-alone sanitize valgrind fuzz format \
         check-format tsan bench bench-silhouette bench-distance bench-view-dependent bench-oit bench-lines bench-flicker \
-        bench-dynamic accuracy web ci install uninstall clean run-tests
+        bench-dynamic bench-smart accuracy web ci install uninstall clean run-tests
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -118,7 +118,7 @@ bench-oit: build/bench/oit ## fragment stores against blending, peeling, weighte
 	@if command -v xvfb-run >/dev/null; then xvfb-run -a -s "-screen 0 1280x1024x24" \
 	    env LIBGL_ALWAYS_SOFTWARE=1 /usr/bin/python3 bench/vtk_transparency.py build/bench/scenes build/bench/oit.csv; fi
 
-bench-distance bench-view-dependent bench-lines bench-flicker bench-dynamic: bench-%: ## one benchmark: bench-NAME runs bench/NAME.c
+bench-distance bench-view-dependent bench-lines bench-flicker bench-dynamic bench-smart: bench-%: ## one benchmark: bench-NAME runs bench/NAME.c
 	@$(MAKE) --no-print-directory build/bench/$(subst -,_,$*)
 	@BENCH=$(BENCH) build/bench/$(subst -,_,$*)
 

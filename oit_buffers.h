@@ -6364,6 +6364,8 @@ static int oit_i_has_program(const oit_desc *desc, int program) {
         return 0;
     if (program >= OIT_I_PROGRAM_SAMPLED && program < OIT_I_PROGRAM_PICK && !(desc->fields & OIT_FIELD_COVERAGE))
         return 0;
+    if (oit_i_is_tail(program) && desc->store != OIT_STORE_FETCH && oit_i_tail_words(desc) == 0)
+        return 0;
     return program != OIT_I_PROGRAM_GATHER || desc->store == OIT_STORE_LINKED;
 }
 

@@ -63,9 +63,10 @@ highp float tr_nearest_in(int y)
 
 void main()
 {
-    tr_color = vec4(0.0);
+    vec4 rows = vec4(0.0); // ES has outputs indexed by constants only
     for (int i = 0, y = 4 * int(gl_FragCoord.y); i < 4 && y + i < int(tr_viewport.w); ++i)
-        tr_color[i] = tr_nearest_in(y + i);
+        rows[i] = tr_nearest_in(y + i);
+    tr_color = rows;
 }
 #else
 void main()
