@@ -443,13 +443,13 @@ check '--style glass differs from hodges' sh -c '! cmp -s out/glass.png out/hodg
 run model:shells --size 64x48 --quality 1 --style glass --glass adaptive -o out/adaptive.png
 check '--glass adaptive' [ "$status" -eq 0 ]
 check '--glass adaptive differs from constant' sh -c '! cmp -s out/glass.png out/adaptive.png'
-run model:crank --size 64x48 --quality 1 --style glass -o out/glass.png
-run model:crank --size 64x48 --quality 1 --style glass --glass constant:0.3 -o out/constant.png
+run model:torus_knot --transparent torus_knot --size 64x48 --quality 1 --style glass -o out/glass.png
+run model:torus_knot --transparent torus_knot --size 64x48 --quality 1 --style glass --glass constant:0.3 -o out/constant.png
 check '--glass constant:0.3 is the default' cmp -s out/glass.png out/constant.png
-run model:crank --size 64x48 --quality 1 --style glass --glass constant:0.6 -o out/constant.png
+run model:torus_knot --transparent torus_knot --size 64x48 --quality 1 --style glass --glass constant:0.6 -o out/constant.png
 check '--glass constant takes an opacity' sh -c '! cmp -s out/glass.png out/constant.png'
-run model:crank --size 64x48 --quality 1 --style glass --glass adaptive -o out/adaptive.png
-run model:crank --size 64x48 --quality 1 --style glass --glass adaptive:0.2 -o out/constant.png
+run model:torus_knot --transparent torus_knot --size 64x48 --quality 1 --style glass --glass adaptive -o out/adaptive.png
+run model:torus_knot --transparent torus_knot --size 64x48 --quality 1 --style glass --glass adaptive:0.2 -o out/constant.png
 check '--glass adaptive takes an opacity' sh -c '! cmp -s out/adaptive.png out/constant.png'
 rm -f out/adaptive.png out/constant.png
 run model:shells --size 64x48 --quality 1 --style glass --gles -o out/gles.png
