@@ -9260,6 +9260,7 @@ static void tr_i_take_from_host(tr_context *tr) {
         return;
     if (tr->desc.state == TR_STATE_LEAVE_DEFAULTS)
         tr_i_save_defaults(&tr->saved);
+    memset(&now, 0, sizeof now); /* a lost context answers nothing */
     tr_i_save_bindings(tr, &now);
     memcpy(now.textures, tr->saved.textures, sizeof now.textures);
     memcpy(now.samplers, tr->saved.samplers, sizeof now.samplers);
