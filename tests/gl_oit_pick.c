@@ -280,7 +280,7 @@ static double true_depth(const oit_scene *s, const oit_truth_layer *at, size_t c
         if (most < limit)
             return window_depth(s, at[i].depth);
     }
-    return NAN;
+    return (double)NAN;
 }
 
 typedef struct depth_case {

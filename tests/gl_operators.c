@@ -256,7 +256,7 @@ static void test_links(void **state) {
                 if (kind == ROUGH) {
                     links.depth_weight = (double)op.link.depth_weight;
                     links.normal_weight = (double)op.link.normal_weight;
-                    links.limit = INFINITY;
+                    links.limit = (double)INFINITY;
                 }
                 compare_links(&g, &links, &compared);
                 forget(&g);
