@@ -289,6 +289,9 @@ static void rungs_on_random_scenes(void **state) {
                 assert_true(all.left_out <= 0.10);
                 if (see == TR_SEE_EXACT && divisor == 1)
                     assert_true(all.mean <= 0.7 && all.over * 500 <= all.compared);
+                /* Of one target one mask is the truth, gradient and all, but where an outline pixel decides otherwise. */
+                if (see == TR_SEE_ONE_MASK && divisor == 1 && seed % 3 == 0)
+                    assert_true(all.over * 10000 <= all.compared);
             }
         free(truth);
         dynamic_close(&d);
