@@ -33,6 +33,7 @@ typedef struct smart_stage {
     smart_stage_row *rows;        /* of the last look, in the image's order */
     GLuint programs[2];           /* the host's own surfaces, which store (u, v); 0: the built-in ones */
     double uv_scale[2], uv_shift; /* u = scale x, v = scale y of the object's space, and so much more for each object */
+    double uv_at[16][2];          /* and what is the object's own, of the first few */
 } smart_stage;
 
 /* ---- reading back ---- */
@@ -340,8 +341,11 @@ static inline void smart_stage_draw_own(const smart_stage *t, const oit_pass *pa
         glUniformMatrix3fv(glGetUniformLocation(program, "turn"), 1, GL_FALSE, material.normal_matrix);
         glUniform4fv(glGetUniformLocation(program, "color"), 1, material.color);
         glUniform4ui(glGetUniformLocation(program, "object"), material.part, 0, material.blend, 0);
+        double shift[2];
+        for (int k = 0; k < 2; ++k)
+            shift[k] = t->uv_shift * (double)i + (i < 16 ? t->uv_at[i][k] : 0);
         glUniform4f(glGetUniformLocation(program, "uv_map"), (float)t->uv_scale[0], (float)t->uv_scale[1],
-                    (float)(t->uv_shift * (double)i), (float)(t->uv_shift * (double)i));
+                    (float)shift[0], (float)shift[1]);
         oit_scene_elements(&t->scene, i);
     }
     glBindVertexArray(0);
