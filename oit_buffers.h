@@ -1918,7 +1918,8 @@ static const char *const oit_i_shader_oit_operator_bound_comp[] = {
     "// Boundary conditions of beta and gamma (Carnecky 2013, section 5.3): a missing neighbour (red) makes beta 1, being\n"
     "// underneath (green) keeps it 0, being before (blue) makes gamma 1. By layer indices, surfaces only, and without the\n"
     "// differences that linked surfaces make which merely change places: what is left is surfaces that begin on the way to the\n"
-    "// neighbour less those that end on it. OIT_STEP.x: 1: plain indices, and nothing is kept at 0 (published).\n"
+    "// neighbour less those that end on it. OIT_STEP: x: 1: plain indices (published); y: 1: nothing is kept at 0, since equation\n"
+    "// 9 as published has no b; equation 8 has.\n"
     "\n"
     "// Of those before `layer` in the list: how many are surfaces without a link that way; or, published, how many surfaces.\n"
     "// Kept from one call to the next, since layers mostly ascend.\n"
@@ -1972,7 +1973,7 @@ static const char *const oit_i_shader_oit_operator_bound_comp[] = {
     "        oit_bound_along(p, first, n, direction);\n"
     "    for (uint i = 0u; i < n; ++i) {\n"
     "        uint slot = first + i, bits = oit_is_surface(slot) ? oit_surface[OIT_IN_REACH + slot] : 0u;\n"
-    "        bool missing = (bits & 1u) != 0u, under = (bits & 2u) != 0u && OIT_STEP.x == 0u, before = (bits & 4u) != 0u;\n"
+    "        bool missing = (bits & 1u) != 0u, under = (bits & 2u) != 0u && OIT_STEP.y == 0u, before = (bits & 4u) != 0u;\n"
     "        oit_surface[OIT_IN_REACH + slot] =\n"
     "            (missing ? 0u : under ? OIT_BLOCKED : OIT_UNREACHED) | (before ? 0u : OIT_UNREACHED) << 16u;\n"
     "        if (OIT_IN_BETA != 0u)\n"
@@ -2558,12 +2559,12 @@ static const char *const oit_i_shader_oit_operator_law_comp[] = {
     "}\n"
     "#endif\n"
     "\n"
-    "// 1 - (1 - s)^(1/m), by logarithms: s near 0 loses nothing.\n"
+    "// 1 - (1 - s)^(1/m), by logarithms, both as series where 1 - s and 1 - e^x would lose the digits of what is small.\n"
     "float oit_adaptive(float s, float layers)\n"
     "{\n"
     "    if (s >= 1.0)\n"
     "        return 1.0;\n"
-    "    float x = log(1.0 - s) / layers;\n"
+    "    float x = (s < 0.01 ? -s * (1.0 + s * (0.5 + s * (1.0 / 3.0 + s * 0.25))) : log(1.0 - s)) / layers;\n"
     "    return x > -0.01 ? -x * (1.0 + x * (0.5 + x * (1.0 / 6.0))) : 1.0 - exp(x);\n"
     "}\n"
     "\n"
@@ -7150,6 +7151,7 @@ static void oit_i_number_stage(const oit_context *oit, const oit_i_stage *stage,
         break;
     case OIT_I_PROGRAM_BOUND:
         n->at[4][0] = oit->smart.published != 0;
+        n->at[4][1] = oit->smart.published && oit->smart.beta.process == OIT_PROCESS_GREATEST;
         break;
     case OIT_I_PROGRAM_SIZE:
         n->at[4][0] = (oit_i_u)step & 1u;

@@ -2,7 +2,8 @@
 // Boundary conditions of beta and gamma (Carnecky 2013, section 5.3): a missing neighbour (red) makes beta 1, being
 // underneath (green) keeps it 0, being before (blue) makes gamma 1. By layer indices, surfaces only, and without the
 // differences that linked surfaces make which merely change places: what is left is surfaces that begin on the way to the
-// neighbour less those that end on it. OIT_STEP.x: 1: plain indices, and nothing is kept at 0 (published).
+// neighbour less those that end on it. OIT_STEP: x: 1: plain indices (published); y: 1: nothing is kept at 0, since equation
+// 9 as published has no b; equation 8 has.
 
 // Of those before `layer` in the list: how many are surfaces without a link that way; or, published, how many surfaces.
 // Kept from one call to the next, since layers mostly ascend.
@@ -56,7 +57,7 @@ void oit_operate(uint p)
         oit_bound_along(p, first, n, direction);
     for (uint i = 0u; i < n; ++i) {
         uint slot = first + i, bits = oit_is_surface(slot) ? oit_surface[OIT_IN_REACH + slot] : 0u;
-        bool missing = (bits & 1u) != 0u, under = (bits & 2u) != 0u && OIT_STEP.x == 0u, before = (bits & 4u) != 0u;
+        bool missing = (bits & 1u) != 0u, under = (bits & 2u) != 0u && OIT_STEP.y == 0u, before = (bits & 4u) != 0u;
         oit_surface[OIT_IN_REACH + slot] =
             (missing ? 0u : under ? OIT_BLOCKED : OIT_UNREACHED) | (before ? 0u : OIT_UNREACHED) << 16u;
         if (OIT_IN_BETA != 0u)

@@ -28,12 +28,12 @@ float oit_variation(uint p, uint slot)
 }
 #endif
 
-// 1 - (1 - s)^(1/m), by logarithms: s near 0 loses nothing.
+// 1 - (1 - s)^(1/m), by logarithms, both as series where 1 - s and 1 - e^x would lose the digits of what is small.
 float oit_adaptive(float s, float layers)
 {
     if (s >= 1.0)
         return 1.0;
-    float x = log(1.0 - s) / layers;
+    float x = (s < 0.01 ? -s * (1.0 + s * (0.5 + s * (1.0 / 3.0 + s * 0.25))) : log(1.0 - s)) / layers;
     return x > -0.01 ? -x * (1.0 + x * (0.5 + x * (1.0 / 6.0))) : 1.0 - exp(x);
 }
 

@@ -246,6 +246,31 @@ static inline void ref_smart_begin(ref_smart_image *image, double adaptive) {
         }
 }
 
+/* The same as published: plain indices of layers, and nothing is kept at 0 for equation 9, which has no b; with `masked`,
+ * equation 8, it is. */
+static inline void ref_smart_bound_published(ref_smart_image *image, bool masked) {
+    for (int y = 0; y < image->height; y++)
+        for (int x = 0; x < image->width; x++)
+            for (size_t i = 0; i < ref_smart_count(image, x, y); i++) {
+                ref_smart_fragment *f = ref_smart_at(image, x, y, i);
+                bool rises = false, falls = false;
+                for (int d = 0; d < 4 && f->kind == REF_SMART_SURFACE; d++) {
+                    int to_x = x, to_y = y, rise = 0;
+                    if (f->link[d] < 0 || !ref_smart_next(image, &to_x, &to_y, d))
+                        continue;
+                    for (int k = 0; k < f->link[d]; k++)
+                        rise += ref_smart_at(image, to_x, to_y, (size_t)k)->kind == REF_SMART_SURFACE;
+                    for (size_t k = 0; k < i; k++)
+                        rise -= ref_smart_at(image, x, y, k)->kind == REF_SMART_SURFACE;
+                    rises = rises || rise > 0;
+                    falls = falls || rise < 0;
+                }
+                f->keep_beta = f->beta > 0 || (falls && masked);
+                f->gamma = rises ? 1 : 0;
+                f->keep_gamma = rises;
+            }
+}
+
 /* ---- diffusion (C13 5.4) ---- */
 
 enum { REF_SMART_BASE, REF_SMART_BETA, REF_SMART_GAMMA };
@@ -310,24 +335,33 @@ static inline double ref_smart_profile_11(double u, double p) {
 
 /* ---- compositing (C13 5.5, algorithm 3) ---- */
 
-/* Into color, over what it holds as the background; weights (may be NULL) get the share of each fragment, and the last
- * that of the background. */
-static inline void ref_smart_compose(const ref_smart_image *image, int x, int y, double color[3], double *weights) {
-    double sum[3] = {0, 0, 0}, through = 1;
+/* Into color, over what it holds as the background; weights (may be NULL; red's, where something multiplies) get the share
+ * of each fragment, and the last that of the background. Light that is added hides nothing. printed: line 6 as it stands,
+ * whose alpha has no hat. */
+static inline void ref_smart_compose_as(const ref_smart_image *image, int x, int y, bool printed, double color[3],
+                                        double *weights) {
+    double sum[3] = {0, 0, 0}, through[3] = {1, 1, 1};
     size_t count = ref_smart_count(image, x, y);
     for (size_t i = 0; i < count; i++) {
         ref_smart_fragment *f = ref_smart_at(image, x, y, i);
-        f->opacity = f->kind == REF_SMART_SURFACE ? (1 - f->gamma) * (f->base + (1 - f->base) * f->beta) : f->alpha;
-        for (size_t c = 0; c < 3; c++)
-            sum[c] += through * f->opacity * f->color[c];
+        bool surface = f->kind == REF_SMART_SURFACE, filter = f->kind == REF_SMART_MULTIPLY;
+        f->opacity = surface ? (1 - f->gamma) * (f->base + (1 - f->base) * f->beta) : f->alpha;
+        double hides = f->kind == REF_SMART_ADD ? 0 : surface && printed ? f->base : f->opacity;
         if (weights)
-            weights[i] = through * f->opacity;
-        through *= 1 - f->opacity;
+            weights[i] = filter ? 0 : through[0] * f->opacity;
+        for (size_t c = 0; c < 3; c++) {
+            sum[c] += filter ? 0 : through[c] * f->opacity * f->color[c];
+            through[c] *= filter ? 1 - hides + hides * f->color[c] : 1 - hides;
+        }
     }
     for (size_t c = 0; c < 3; c++)
-        color[c] = sum[c] + through * color[c];
+        color[c] = sum[c] + through[c] * color[c];
     if (weights)
-        weights[count] = through;
+        weights[count] = through[0];
+}
+
+static inline void ref_smart_compose(const ref_smart_image *image, int x, int y, double color[3], double *weights) {
+    ref_smart_compose_as(image, x, y, false, color, weights);
 }
 
 /* ---- curvature (M16 5.1) ---- */
