@@ -1246,6 +1246,8 @@ static void draw_glass_surface(renderer *r, const oit_pass *pass, const figure *
                         : r->job->opacity > 0.0f ? r->job->opacity
                         : r->job->adaptive       ? 0.7f
                                                  : 0.3f;
+    material.two_sided = s->sheet;
+    glFrontFace(f->mirrored ? GL_CW : GL_CCW);
     oit_set_material(r->oit, pass, &material);
     glBindVertexArray(f->array);
     glDrawElements(GL_TRIANGLES, (GLsizei)s->index_count, GL_UNSIGNED_INT, NULL);
