@@ -26,7 +26,7 @@
 #define OIT_BUFFERS_IMPLEMENTATION
 #include "oit_buffers.h"
 
-enum { TILE = 2048 }; /* drawn pixels */
+enum { TILE = 2048, SMALLEST_TILE = 128 }; /* drawn pixels */
 
 #define HEAVIEST 2.4f /* times its width, the heaviest line */
 
@@ -65,6 +65,23 @@ typedef struct figure {
     GLsizei crease_vertices, outline_vertices, hidden_vertices; /* in this order */
 } figure;
 
+/* What is done with the fragments of a tile, in this order. */
+typedef enum glass_stage {
+    GLASS_STORE,
+    GLASS_LINK,
+    GLASS_LAW,
+    GLASS_SMART,
+    GLASS_CURVATURE,
+    GLASS_COMPOSE,
+    GLASS_STAGES
+} glass_stage;
+
+typedef struct glass_cost {
+    bool run;
+    double ms;
+    int64_t bytes;
+} glass_cost;
+
 typedef struct renderer {
     const illustrate_job *job;
     illustrate_result *result;
@@ -85,9 +102,15 @@ typedef struct renderer {
     GLuint framebuffer, color, depth;
     int tile_width, tile_height, margin; /* of tiles, around what is kept of them: lines are whole across borders */
     double pass_ms[TR_MAX_PASSES], cpu_ms;
+    int tile;         /* how wide and tall a tile may be without its margin, drawn pixels */
     oit_context *oit; /* glass */
     GLuint ink[2];    /* its programs for lines: counting, storing */
-    double glass_ms;
+    bool tile_too_large;
+    double glass_ms, since; /* since: when the last stage ended, and `held` what buffers were there */
+    uint64_t held;
+    glass_cost costs[GLASS_STAGES];   /* of all tiles, for --explain */
+    uint32_t most_fragments, deepest; /* of a tile, of a pixel */
+    int tiles;
 } renderer;
 
 /* ---- small things -------------------------------------------------------------------------------------------- */
@@ -870,12 +893,13 @@ static int silhouette_reach(const illustrate_job *job) {
     return job->iterations ? job->iterations : 20;
 }
 
+/* In drawn pixels, of which a pixel of the result has several, so that a halo may be narrower than one of those. */
 static int halo_reach(const illustrate_job *job) {
-    return job->halo < 0 ? 0 : job->halo > 0 ? (int)ceil(job->halo) : 5;
+    return job->halo < 0 ? 0 : (int)ceil((job->halo > 0 ? job->halo : 5) * job->quality);
 }
 
 static int smart_reach(const renderer *r) {
-    int silhouette = silhouette_reach(r->job), halo = halo_reach(r->job);
+    int silhouette = silhouette_reach(r->job) * r->job->quality, halo = halo_reach(r->job);
     return silhouette > halo ? silhouette : halo;
 }
 
@@ -883,10 +907,10 @@ static bool make_target(renderer *r) {
     int quality = r->job->quality;
     int wide = r->job->width * quality, tall = r->job->height * quality;
     /* Whole pixels of the result in a tile, so that tiles are averaged on their own. */
-    int most = TILE / quality * quality;
+    int most = r->tile / quality * quality;
     r->margin = 16 + (int)(0.5f * HEAVIEST * r->job->line_width * (float)quality);
     if (r->style == STYLE_SMART) { /* what is so near to a silhouette shows it */
-        int reach = smart_reach(r) * quality;
+        int reach = smart_reach(r);
         r->margin = r->margin < reach ? reach : r->margin;
     }
     r->tile_width = (wide < most ? wide : most) + 2 * r->margin;
@@ -1286,7 +1310,7 @@ static oit_operator law_operator(const illustrate_job *job) {
 
 /* Reaches are pixels of the result, of which each is several drawn ones. */
 static oit_operator smart_operator(const illustrate_job *job) {
-    int silhouette = silhouette_reach(job) * job->quality, halo = halo_reach(job) * job->quality;
+    int silhouette = silhouette_reach(job) * job->quality, halo = halo_reach(job);
     oit_operator op;
     memset(&op, 0, sizeof op);
     op.kind = OIT_RUN_SMART;
@@ -1323,6 +1347,20 @@ static oit_operator curvature_operator(const renderer *r) {
     return op;
 }
 
+/* What a stage took since the one before, and what buffers it has added. */
+static void end_stage(renderer *r, glass_stage stage) {
+    if (!r->job->explain)
+        return;
+    glFinish();
+    double now = now_ms();
+    uint64_t held = oit_get_info(r->oit).bytes;
+    r->costs[stage].run = true;
+    r->costs[stage].ms += now - r->since;
+    r->costs[stage].bytes += (int64_t)held - (int64_t)r->held;
+    r->since = now;
+    r->held = held;
+}
+
 /* Smart transparency, or curvature, on what has been stored. */
 static oit_result operate(renderer *r) {
     oit_operator ops[5];
@@ -1340,15 +1378,28 @@ static oit_result operate(renderer *r) {
     if (!is_smart)
         ops[count++] = curvature_operator(r);
     oit_result result = OIT_OK;
-    for (size_t i = 0; i < count && result == OIT_OK; ++i)
+    for (size_t i = 0; i < count && result == OIT_OK; ++i) {
+        static const glass_stage stages[] = {GLASS_LINK, GLASS_LAW, GLASS_SMART, GLASS_CURVATURE}; /* by oit_run_kind */
         result = oit_run(r->oit, &ops[i]);
+        if (result == OIT_OK)
+            end_stage(r, stages[ops[i].kind]);
+    }
     return result;
+}
+
+static void count_fragments(renderer *r) {
+    oit_report report;
+    if (!r->job->explain || oit_get_report(r->oit, &report) != OIT_OK)
+        return;
+    r->most_fragments = report.needed > r->most_fragments ? report.needed : r->most_fragments;
+    r->deepest = report.deepest > r->deepest ? report.deepest : r->deepest;
+    ++r->tiles;
 }
 
 static bool draw_glass(renderer *r, const double projection[16]) {
     oit_frame frame;
     oit_pass pass;
-    double begun = now_ms();
+    double begun = r->since = now_ms();
     memset(&frame, 0, sizeof frame);
     frame.framebuffer = r->framebuffer;
     frame.width = r->tile_width;
@@ -1368,15 +1419,19 @@ static bool draw_glass(renderer *r, const double projection[16]) {
                 draw_glass_surface(r, &pass, &r->figures[i], projection);
                 draw_glass_lines(r, &pass, &r->figures[i]);
             }
+    end_stage(r, GLASS_STORE);
     if (r->style != STYLE_GLASS)
         result = operate(r);
+    r->tile_too_large = result == OIT_TOO_LARGE;
     oit_result composed = oit_compose(r->oit);
     result = result == OIT_OK ? composed : result;
+    end_stage(r, GLASS_COMPOSE);
     oit_result end = oit_end(r->oit);
+    if (r->tile_too_large)
+        return broken(r, "more layers than the driver's storage blocks hold, even in small tiles");
     if (result != OIT_OK || end != OIT_OK)
         return broken(r, "%s", oit_result_string(result != OIT_OK ? result : end));
-    if (r->job->explain)
-        glFinish();
+    count_fragments(r);
     r->glass_ms += now_ms() - begun;
     return true;
 }
@@ -1494,6 +1549,41 @@ static bool draw(renderer *r) {
     return true;
 }
 
+static void drop_target(renderer *r) {
+    const GLuint textures[2] = {r->color, r->depth};
+    glDeleteFramebuffers(1, &r->framebuffer);
+    glDeleteTextures(2, textures);
+    r->framebuffer = r->color = r->depth = 0;
+}
+
+static void stop_glass(renderer *r) {
+    for (int i = 0; i < 2; ++i) {
+        if (r->ink[i])
+            glDeleteProgram(r->ink[i]);
+        r->ink[i] = 0;
+    }
+    oit_destroy(r->oit);
+    r->oit = NULL;
+}
+
+/* Operators need all fragments of a tile at once. Where they are more than a storage block of the driver's holds, tiles of
+ * half the width and height are drawn, from a buffer that is as small. */
+static bool draw_in_tiles(renderer *r, oit_proc (*get_proc)(const char *)) {
+    for (r->tile = TILE;; r->tile /= 2) {
+        r->tile_too_large = false;
+        bool ok = make_target(r) && draw(r);
+        if (ok || !r->tile_too_large || r->tile / 2 < SMALLEST_TILE)
+            return ok;
+        drop_target(r);
+        stop_glass(r);
+        memset(r->costs, 0, sizeof r->costs);
+        r->glass_ms = 0;
+        r->held = 0;
+        if (!start_glass(r, get_proc))
+            return false;
+    }
+}
+
 /* ---- what was done --------------------------------------------------------------------------------------------- */
 
 typedef struct text {
@@ -1551,6 +1641,23 @@ static const char *drawn_interior(const renderer *r) {
     return plan->mixed ? "mixed" : interior_name(plan->interior);
 }
 
+/* The stages of glass, which have no place in the plan of transparency.h. */
+static void put_stages(const renderer *r, text *t, bool first) {
+    static const char *const said[GLASS_STAGES][2] = {
+        {"store", "every fragment of what is transparent, and of lines, is counted, then kept"},
+        {"link", "neighbours along each surface, by depth and normal"},
+        {"law", "the opacity that a layer starts with"},
+        {"smart", "silhouettes strengthened, halos before what lies behind them"},
+        {"curvature", "opacity and shade by curvature"},
+        {"compose", "layers over one another, from the eye on"}};
+    for (int i = 0; i < GLASS_STAGES; ++i)
+        if (r->costs[i].run) {
+            put(t, "%s\n    {\"pass\": \"%s\", \"why\": \"%s\", \"milliseconds\": %.3f, \"bytes\": %lld}",
+                first ? "" : ",", said[i][0], said[i][1], r->costs[i].ms, (long long)r->costs[i].bytes);
+            first = false;
+        }
+}
+
 static void put_passes(const renderer *r, text *t) {
     tr_info info = tr_get_info(r->tr);
     unsigned long long pixels = (unsigned long long)r->tile_width * (unsigned long long)r->tile_height;
@@ -1561,6 +1668,7 @@ static void put_passes(const renderer *r, text *t) {
         put_string(t, pass->why);
         put(t, ", \"milliseconds\": %.3f, \"bytes\": %llu}", r->pass_ms[i], pass->bytes_per_pixel * pixels);
     }
+    put_stages(r, t, info.plan->pass_count == 0);
     put(t, "\n  ],\n  \"bytes_per_pixel\": %u,\n  \"bytes\": %llu\n", (unsigned)info.plan->bytes_per_pixel,
         (unsigned long long)info.bytes);
 }
@@ -1579,10 +1687,10 @@ static void explain(renderer *r) {
         "],\n  \"parts\": %zu,\n  \"drawn_width\": %d,\n  \"drawn_height\": %d,\n  \"geometry_milliseconds\": %.3f,\n",
         r->figure_count, r->job->width * r->job->quality, r->job->height * r->job->quality, r->cpu_ms);
     if (has_layers(r->style)) {
-        oit_report glass;
-        oit_get_report(r->oit, &glass);
-        put(&t, "  \"glass\": {\"milliseconds\": %.3f, \"fragments\": %u, \"deepest\": %u, \"bytes\": %llu},\n",
-            r->glass_ms, (unsigned)glass.needed, (unsigned)glass.deepest,
+        put(&t,
+            "  \"glass\": {\"milliseconds\": %.3f, \"tiles\": %d, \"fragments\": %u, \"deepest\": %u, \"bytes\": "
+            "%llu},\n",
+            r->glass_ms, r->tiles, (unsigned)r->most_fragments, (unsigned)r->deepest,
             (unsigned long long)oit_get_info(r->oit).bytes);
     }
     put_passes(r, &t);
@@ -1784,15 +1892,9 @@ static void finish(renderer *r) {
     free(r->figures);
     free(r->surfaces);
     if (r->framebuffer)
-        glDeleteFramebuffers(1, &r->framebuffer);
-    if (r->color || r->depth) {
-        const GLuint textures[2] = {r->color, r->depth};
-        glDeleteTextures(2, textures);
-    }
-    for (int i = 0; i < 2; ++i)
-        if (r->ink[i])
-            glDeleteProgram(r->ink[i]);
-    oit_destroy(r->oit);
+        drop_target(r);
+    if (r->oit)
+        stop_glass(r);
     tr_destroy(r->tr);
 }
 
@@ -1816,7 +1918,7 @@ bool illustrate_render(const illustrate_job *job, void (*(*get_proc)(const char 
     if (ok && job->verbose)
         fprintf(stderr, "style %s, %s interiors, %zu parts\n", style_name(r.style), interior_name(r.interior),
                 r.figure_count);
-    ok = ok && make_target(&r) && draw(&r);
+    ok = ok && draw_in_tiles(&r, get_proc);
     if (ok && job->explain)
         explain(&r);
     finish(&r);
