@@ -105,6 +105,8 @@ typedef struct renderer {
     int tile;         /* how wide and tall a tile may be without its margin, drawn pixels */
     oit_context *oit; /* glass */
     GLuint ink[2];    /* its programs for lines: counting, storing */
+    GLuint seal[2];   /* the same for opaque parts among layers that operators look at; see draw_seals */
+    GLuint canvas, opaque, opaque_color, opaque_depth; /* color without depth; a copy of what is opaque */
     bool tile_too_large;
     double glass_ms, since; /* since: when the last stage ended, and `held` what buffers were there */
     uint64_t held;
@@ -903,6 +905,28 @@ static int smart_reach(const renderer *r) {
     return silhouette > halo ? silhouette : halo;
 }
 
+static GLuint make_texture(GLenum format, int width, int height) {
+    bool depth = format == GL_DEPTH_COMPONENT32F;
+    GLuint texture;
+    glGenTextures(1, &texture);
+    glBindTexture(GL_TEXTURE_2D, texture);
+    glTexImage2D(GL_TEXTURE_2D, 0, (GLint)format, width, height, 0, depth ? GL_DEPTH_COMPONENT : GL_RGBA,
+                 depth ? GL_FLOAT : GL_UNSIGNED_BYTE, NULL);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    return texture;
+}
+
+static GLuint make_framebuffer(GLuint color, GLuint depth) {
+    GLuint framebuffer;
+    glGenFramebuffers(1, &framebuffer);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, color, 0);
+    if (depth)
+        glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth, 0);
+    return framebuffer;
+}
+
 static bool make_target(renderer *r) {
     int quality = r->job->quality;
     int wide = r->job->width * quality, tall = r->job->height * quality;
@@ -915,19 +939,15 @@ static bool make_target(renderer *r) {
     }
     r->tile_width = (wide < most ? wide : most) + 2 * r->margin;
     r->tile_height = (tall < most ? tall : most) + 2 * r->margin;
-    glGenTextures(1, &r->color);
-    glBindTexture(GL_TEXTURE_2D, r->color);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, r->tile_width, r->tile_height, 0, GL_RGBA, GL_UNSIGNED_BYTE, NULL);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glGenTextures(1, &r->depth);
-    glBindTexture(GL_TEXTURE_2D, r->depth);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT32F, r->tile_width, r->tile_height, 0, GL_DEPTH_COMPONENT,
-                 GL_FLOAT, NULL);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glGenFramebuffers(1, &r->framebuffer);
-    glBindFramebuffer(GL_FRAMEBUFFER, r->framebuffer);
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, r->color, 0);
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, r->depth, 0);
+    r->color = make_texture(GL_RGBA8, r->tile_width, r->tile_height);
+    r->depth = make_texture(GL_DEPTH_COMPONENT32F, r->tile_width, r->tile_height);
+    if (r->seal[0]) {
+        r->canvas = make_framebuffer(r->color, 0);
+        r->opaque_color = make_texture(GL_RGBA8, r->tile_width, r->tile_height);
+        r->opaque_depth = make_texture(GL_DEPTH_COMPONENT32F, r->tile_width, r->tile_height);
+        r->opaque = make_framebuffer(r->opaque_color, r->opaque_depth);
+    }
+    r->framebuffer = make_framebuffer(r->color, r->depth);
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
         return broken(r, "the driver has no %d x %d target", r->tile_width, r->tile_height);
     return true;
@@ -1191,18 +1211,8 @@ static void oit_said(oit_log_level level, oit_result code, const char *what, voi
         fprintf(stderr, "%s\n", what);
 }
 
-/* Ribbons as fragments like any other, so that lines behind glass look as if behind glass. */
-static GLuint make_ink(const renderer *r, oit_pass_kind kind) {
-    static const char *const own[2] = {
-        "layout(location = 0) in vec4 corner; // x, y in pixels, window depth, depth per pixel toward the eye\n"
-        "uniform vec2 size;\n"
-        "void main() {\n"
-        "    float z = clamp(corner.z - 2.0 * corner.w, 0.0, 1.0);\n"
-        "    gl_Position = vec4(2.0 * corner.xy / size - 1.0, 2.0 * z - 1.0, 1.0);\n}\n",
-        "uniform vec4 ink;\nvoid main() {\n"
-        "#if OIT_HAS_BLEND && OIT_PASS == OIT_FILL\n"
-        "    oit_fragment f;\n    f.color = ink;\n    f.part = 0u;\n    f.normal = vec3(0.0, 0.0, 1.0);\n"
-        "    f.blend = OIT_BLEND_LINE;\n    oit_store(f);\n#else\n    oit_store(ink);\n#endif\n}\n"};
+/* A program of the two texts behind the header's. */
+static GLuint make_storing(const renderer *r, oit_pass_kind kind, const char *const own[2]) {
     static const GLenum types[2] = {GL_VERTEX_SHADER, GL_FRAGMENT_SHADER};
     GLuint program = glCreateProgram();
     GLint linked = 0;
@@ -1224,6 +1234,42 @@ static GLuint make_ink(const renderer *r, oit_pass_kind kind) {
         return program;
     glDeleteProgram(program);
     return 0;
+}
+
+/* No surface, so that operators leave it as it is. */
+#define STORE_LINE                                                                                                     \
+    "#if OIT_HAS_BLEND && OIT_PASS == OIT_FILL\n"                                                                      \
+    "    oit_fragment f;\n    f.color = ink;\n    f.part = 0u;\n    f.normal = vec3(0.0, 0.0, 1.0);\n"                 \
+    "    f.blend = OIT_BLEND_LINE;\n    oit_store(f);\n#else\n    oit_store(ink);\n#endif\n}\n"
+
+/* Ribbons as fragments like any other, so that lines behind glass look as if behind glass. */
+static GLuint make_ink(const renderer *r, oit_pass_kind kind) {
+    static const char *const own[2] = {
+        "layout(location = 0) in vec4 corner; // x, y in pixels, window depth, depth per pixel toward the eye\n"
+        "uniform vec2 size;\n"
+        "void main() {\n"
+        "    float z = clamp(corner.z - 2.0 * corner.w, 0.0, 1.0);\n"
+        "    gl_Position = vec4(2.0 * corner.xy / size - 1.0, 2.0 * z - 1.0, 1.0);\n}\n",
+        "uniform vec4 ink;\nvoid main() {\n" STORE_LINE};
+    return make_storing(r, kind, own);
+}
+
+/* Opaque parts as they were drawn before, where they are in front; the same vertex as drew them then but for rounding. */
+static GLuint make_seal(const renderer *r, oit_pass_kind kind) {
+    static const char *const own[2] = {
+        "layout(location = 0) in vec3 place;\nuniform mat4 whole;\n"
+        "void main() {\n    gl_Position = whole * vec4(place, 1.0);\n}\n",
+        "uniform highp sampler2D colors, depths;\nvoid main() {\n"
+        "    if (gl_FragCoord.z > texelFetch(depths, ivec2(gl_FragCoord.xy), 0).r + 2.0e-6)\n        discard;\n"
+        "    vec4 ink = vec4(texelFetch(colors, ivec2(gl_FragCoord.xy), 0).rgb, 1.0);\n" STORE_LINE};
+    return make_storing(r, kind, own);
+}
+
+static bool has_opaque(const renderer *r) {
+    for (size_t i = 0; i < r->figure_count; ++i)
+        if (!(r->figures[i].object.flags & TR_TRANSPARENT) && !r->figures[i].phantom)
+            return true;
+    return false;
 }
 
 static bool start_glass(renderer *r, oit_proc (*get_proc)(const char *)) {
@@ -1248,8 +1294,10 @@ static bool start_glass(renderer *r, oit_proc (*get_proc)(const char *)) {
         return broken(r, "--style %s: %s; --style hodges needs less", style_name(r->job->style),
                       oit_result_string(result));
     for (int i = 0; i < 2; ++i) {
+        bool seals = r->job->style != STYLE_GLASS;
         r->ink[i] = make_ink(r, i ? OIT_PASS_FILL : OIT_PASS_COUNT);
-        if (!r->ink[i])
+        r->seal[i] = seals ? make_seal(r, i ? OIT_PASS_FILL : OIT_PASS_COUNT) : 0;
+        if (!r->ink[i] || (seals && !r->seal[i]))
             return broken(r, "the driver's compiler refuses a shader for lines");
     }
     return true;
@@ -1291,6 +1339,39 @@ static void draw_glass_lines(const renderer *r, const oit_pass *pass, const figu
     if (f->outline_vertices) {
         glUniform4f(ink, 0.0f, 0.0f, 0.0f, 1.0f);
         glDrawArrays(GL_TRIANGLES, f->crease_vertices, f->outline_vertices);
+    }
+    glUseProgram(pass->state.program);
+}
+
+/* Operators take a surface to end where it has no fragment, and where something opaque hides it there would be none: a rim
+ * around every bolt. So all of it is stored, and what hides it as well: opaque fragments at the depths of opaque parts. */
+static void copy_opaque(const renderer *r) {
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, r->framebuffer);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, r->opaque);
+    glDisable(GL_SCISSOR_TEST);
+    glBlitFramebuffer(0, 0, r->tile_width, r->tile_height, 0, 0, r->tile_width, r->tile_height,
+                      GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+}
+
+static void draw_seals(const renderer *r, const oit_pass *pass, const double projection[16]) {
+    const GLuint program = r->seal[pass->kind == OIT_PASS_FILL];
+    glUseProgram(program);
+    glUniform1i(glGetUniformLocation(program, "depths"), 1);
+    glActiveTexture(GL_TEXTURE1);
+    glBindTexture(GL_TEXTURE_2D, r->opaque_depth);
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D, r->opaque_color);
+    for (size_t i = 0; i < r->figure_count; ++i) {
+        const figure *f = &r->figures[i];
+        double mvp[16];
+        float whole[16];
+        if (f->object.flags & TR_TRANSPARENT || f->phantom)
+            continue;
+        scene_multiply(projection, f->model_view, mvp);
+        to_float(mvp, whole);
+        glUniformMatrix4fv(glGetUniformLocation(program, "whole"), 1, GL_FALSE, whole);
+        glBindVertexArray(f->array);
+        glDrawElements(GL_TRIANGLES, (GLsizei)r->surfaces[f->surface].index_count, GL_UNSIGNED_INT, NULL);
     }
     glUseProgram(pass->state.program);
 }
@@ -1401,7 +1482,10 @@ static bool draw_glass(renderer *r, const double projection[16]) {
     oit_pass pass;
     double begun = r->since = now_ms();
     memset(&frame, 0, sizeof frame);
-    frame.framebuffer = r->framebuffer;
+    bool sealed = r->seal[0] && has_opaque(r);
+    if (sealed)
+        copy_opaque(r);
+    frame.framebuffer = sealed ? r->canvas : r->framebuffer;
     frame.width = r->tile_width;
     frame.height = r->tile_height;
     to_float(projection, frame.projection);
@@ -1413,12 +1497,15 @@ static bool draw_glass(renderer *r, const double projection[16]) {
     oit_result result = oit_begin(r->oit, &frame);
     if (result != OIT_OK)
         return broken(r, "%s", oit_result_string(result));
-    while (oit_next_pass(r->oit, &pass))
+    while (oit_next_pass(r->oit, &pass)) {
         for (size_t i = 0; i < r->figure_count; ++i)
             if (r->figures[i].object.flags & TR_TRANSPARENT) {
                 draw_glass_surface(r, &pass, &r->figures[i], projection);
                 draw_glass_lines(r, &pass, &r->figures[i]);
             }
+        if (sealed)
+            draw_seals(r, &pass, projection);
+    }
     end_stage(r, GLASS_STORE);
     if (r->style != STYLE_GLASS)
         result = operate(r);
@@ -1550,17 +1637,19 @@ static bool draw(renderer *r) {
 }
 
 static void drop_target(renderer *r) {
-    const GLuint textures[2] = {r->color, r->depth};
-    glDeleteFramebuffers(1, &r->framebuffer);
-    glDeleteTextures(2, textures);
-    r->framebuffer = r->color = r->depth = 0;
+    const GLuint textures[4] = {r->color, r->depth, r->opaque_color, r->opaque_depth};
+    const GLuint framebuffers[3] = {r->framebuffer, r->canvas, r->opaque};
+    glDeleteFramebuffers(3, framebuffers);
+    glDeleteTextures(4, textures);
 }
 
 static void stop_glass(renderer *r) {
     for (int i = 0; i < 2; ++i) {
         if (r->ink[i])
             glDeleteProgram(r->ink[i]);
-        r->ink[i] = 0;
+        if (r->seal[i])
+            glDeleteProgram(r->seal[i]);
+        r->ink[i] = r->seal[i] = 0;
     }
     oit_destroy(r->oit);
     r->oit = NULL;
