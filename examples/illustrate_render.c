@@ -6,6 +6,7 @@
 #include "illustrate_render.h"
 #include "depth_image.h"
 #include "line_svg.h"
+#include "overlap.h"
 #include "refine.h"
 
 #include <math.h>
@@ -1987,28 +1988,63 @@ static void finish(renderer *r) {
     tr_destroy(r->tr);
 }
 
-bool illustrate_render(const illustrate_job *job, void (*(*get_proc)(const char *))(void), illustrate_result *result) {
+/* A single open surface that rolls up, which Hodges' rules say nothing of, for they are of things with an inside. */
+static bool is_rolled_surface(const illustrate_job *job) {
+    const scene *s = job->scene;
+    size_t shown = 0, only = 0;
+    overlap views[OVERLAP_VIEWS];
+    for (size_t i = 0; i < s->part_count; ++i)
+        if (!s->parts[i].hidden) {
+            only = i;
+            ++shown;
+        }
+    if (shown != 1 || job->phantom || (job->transparent && job->transparent[only] == PART_OPAQUE))
+        return false;
+    const scene_mesh *mesh = &s->meshes[s->parts[only].mesh];
+    return overlap_measure(mesh, views) && overlap_is_rolled(views) && !scene_mesh_closed(mesh, NULL);
+}
+
+/* What there is to draw with: fragments of all layers where the style has them. Where it was chosen here and the context is
+ * too old for it, another one is. */
+static bool start_style(renderer *r, illustrate_job *job, oit_proc (*get_proc)(const char *)) {
+    bool chosen = job->style == STYLE_AUTO && is_rolled_surface(job);
+    if (chosen)
+        r->style = job->style = STYLE_SMART;
+    if (has_layers(job->style) && !start_glass(r, get_proc)) {
+        if (!chosen)
+            return false;
+        stop_glass(r);
+        r->style = job->style = STYLE_AUTO;
+    }
+    if (!job->lines_asked && (job->style == STYLE_SMART || job->style == STYLE_CURVATURE))
+        job->silhouettes = job->boundaries = job->creases = false; /* they show their own */
+    return true;
+}
+
+bool illustrate_render(const illustrate_job *wanted, void (*(*get_proc)(const char *))(void),
+                       illustrate_result *result) {
     static const tr_alpha rungs[5] = {TR_ALPHA_CANDIDATES, TR_ALPHA_PUBLISHED, TR_ALPHA_DISTANCE, TR_ALPHA_CANDIDATES,
                                       TR_ALPHA_EXACT};
+    illustrate_job job = *wanted;
     renderer r;
     memset(&r, 0, sizeof r);
     memset(result, 0, sizeof *result);
-    r.job = job;
+    r.job = &job;
     r.result = result;
-    r.style = job->style;
-    r.alpha = rungs[job->alpha_quality];
-    bool ok = start(&r, get_proc) && (!has_layers(r.style) || start_glass(&r, get_proc)) && prepare(&r);
+    r.style = job.style;
+    r.alpha = rungs[job.alpha_quality];
+    bool ok = start(&r, get_proc) && start_style(&r, &job, get_proc) && prepare(&r);
     if (ok && r.style == STYLE_AUTO) {
         tr_scene found = tr_scene_count(r.figures, r.figure_count, sizeof *r.figures);
         r.style = found.transparent || found.transparent_two_sided ? STYLE_HODGES : STYLE_OPAQUE;
     }
     r.interior = ok ? choose_interior(&r) : TR_INTERIOR_IMPLICIT;
-    ok = ok && (job->enter <= 0 || find_crossings(&r));
-    if (ok && job->verbose)
+    ok = ok && (job.enter <= 0 || find_crossings(&r));
+    if (ok && job.verbose)
         fprintf(stderr, "style %s, %s interiors, %zu parts\n", style_name(r.style), interior_name(r.interior),
                 r.figure_count);
     ok = ok && draw_in_tiles(&r, get_proc);
-    if (ok && job->explain)
+    if (ok && job.explain)
         explain(&r);
     finish(&r);
     return ok;
