@@ -705,6 +705,8 @@ typedef struct oit_material {
     float color[4];                  /* rgb added to attribute 3, and alpha; not multiplied by it */
     uint32_t part, key;              /* where those fields are chosen */
     uint32_t blend;                  /* OIT_BLEND_*, where OIT_FIELD_BLEND is chosen */
+    int two_sided; /* 1: of a sheet: where the back of a triangle is seen (by glFrontFace) its stored normal is turned round,
+                      so that curvature is that of the side that is seen, and a seam where normals change sides is none */
 } oit_material;
 
 /* LINE: of a feature line: laid over as OVER is, and no surface: operators give it no layer index, links or fields. */
@@ -3640,8 +3642,8 @@ static const char *const oit_i_shader_oit_surface_frag[] = {
     "#if OIT_WANTS_NORMAL\n"
     "in vec3 oit_v_normal;\n"
     "#endif\n"
-    "#if (OIT_PASS == OIT_FILL && (OIT_HAS_PART || OIT_HAS_KEY || OIT_HAS_BLEND)) || OIT_KEY_BITS == 16\n"
-    "uniform uvec4 oit_object; // part, key, blend\n"
+    "#if (OIT_PASS == OIT_FILL && (OIT_HAS_PART || OIT_HAS_KEY || OIT_HAS_BLEND || OIT_HAS_NORMAL)) || OIT_KEY_BITS == 16\n"
+    "uniform uvec4 oit_object; // part, key, blend, whether normals go with the side that is seen\n"
     "#endif\n"
     "\n"
     "void main()\n"
@@ -3677,7 +3679,7 @@ static const char *const oit_i_shader_oit_surface_frag[] = {
     "    f.blend = oit_object.z;\n"
     "#endif\n"
     "#if OIT_HAS_NORMAL\n"
-    "    f.normal = normal;\n"
+    "    f.normal = oit_object.w != 0u && !gl_FrontFacing ? -normal : normal;\n"
     "#endif\n"
     "#if OIT_HAS_UV\n"
     "    f.uv = vec2(0.0);\n"
@@ -8033,7 +8035,7 @@ OIT_I_API void oit_set_material(oit_context *oit, const oit_pass *pass, const oi
     object[0] = material->part;
     object[1] = material->key;
     object[2] = material->blend;
-    object[3] = 0;
+    object[3] = material->two_sided ? 1u : 0u;
     oit->gl.gl_UniformMatrix4fv(surface->model_view_projection, 1, 0, material->model_view_projection);
     /* A location of -1 is of what the pass does not use, and setting it is no error. */
     oit->gl.gl_UniformMatrix3fv(surface->normal_matrix, 1, 0, material->normal_matrix);

@@ -30,19 +30,22 @@ static const char *const HELP[] = {
     "illustrate MODEL... -o OUT.png: 3D models as technical illustrations, in one command.\n"
     "\n"
     "MODEL is a file (glTF, GLB, OBJ, STL, PLY, 3DS, FBX, DAE and others) or one that is built in:\n"
-    "  model:mug  model:crank  model:gearbox  model:torus_knot  model:shells\n"
+    "  model:mug  model:crank  model:gearbox  model:torus_knot  model:shells  model:squares  model:cylinders\n"
+    "  model:cube_and_sphere  model:klein_bottle  model:stream_surface\n"
     "  model:dirty_open  model:dirty_doubled  model:dirty_degenerate  model:dirty_nonmanifold  model:dirty_flipped\n"
     "  model:battlefield  model:abstract  model:walkthrough\n"
     "Several make one scene; the parts of each file then have its name in front of theirs.\n"
     "\n"
     "  -o, --output OUT.png     where the picture goes; written whole or not at all. OUT.svg: its lines alone, a group\n"
     "                           for each part, without the need of OpenGL; hidden lines are left out\n"
-    "  --style STYLE            auto (default): hodges where something is or can be transparent, else opaque;\n"
+    "  --style STYLE            auto (default): smart for a single open surface that rolls up, so that both of its sides\n"
+    "                           are seen; else hodges where something is or can be transparent, else opaque;\n"
     "                           hodges: parts that enclose others, or are see-through in the file, are transparent by\n"
     "                           Hodges' rules; glass: the same parts, with every layer seen through the others, lines\n"
     "                           among them (OpenGL 4.3 or ES 3.1); smart: glass whose silhouettes show through, with\n"
     "                           halos; curvature: glass that is clear where it is flat, shaded by its curvature; lines:\n"
-    "                           ink on paper, hidden lines left out; opaque: nothing transparent\n"
+    "                           ink on paper, hidden lines left out; opaque: nothing transparent. smart and curvature\n"
+    "                           draw no --lines unless asked to\n"
     "  --size WxH               pixels, 1x1 to 16384x16384; default 1024x768\n"
     "  --view AZIMUTH,ELEVATION degrees; 0,0 looks at the front, 90,0 at the right side; default 30,20\n"
     "  --ortho                  parallel lines stay parallel\n"
@@ -77,7 +80,7 @@ static const char *const HELP[] = {
     "                           layers of a pixel together; constant; angle and variation, more where the surface turns\n"
     "                           away or bends; distance, more near silhouettes; given: as in the file. Default 0.3\n"
     "  --iterations N           --style smart: pixels over which silhouettes fade, 1 to 500; default 20\n"
-    "  --halo N                 --style smart: the same of halos, 0 to 500; default 5\n"
+    "  --halo N                 --style smart: the same of halos, 0 to 500, 0 for none; default 5\n"
     "  --transfer WORD[,WORD]   --style curvature: shade convex or curved, opacity front or deep; default convex,deep.\n"
     "                           FILE.png: of one row, a shade for curvatures from convex to concave, 128 leaving\n"
     "                           colours alone; of several, opacity: flat to curved, near (top) to far\n"
@@ -114,7 +117,7 @@ typedef struct options {
     size_t model_count, selector_count;
     const char *output;
     int up_axis; /* 0: as in the file */
-    bool list, gles, svg, kinds_given;
+    bool list, gles, svg;
     transfer_image *transfers[2]; /* opacity, shade */
     illustrate_job job;
 } options;
@@ -401,7 +404,7 @@ static int set_lines(options *o, const char *value) {
     if (kinds[4] && some)
         return misused("--lines %s: none and another kind", value);
     if (some || kinds[4]) {
-        o->kinds_given = true;
+        o->job.lines_asked = true;
         o->job.silhouettes = kinds[0] || kinds[3];
         o->job.boundaries = kinds[1] || kinds[3];
         o->job.creases = kinds[2] || kinds[3];
@@ -513,7 +516,7 @@ static int set_transfer(options *o, const char *value) {
     static const char *const words[] = {"convex", "curved", "front", "deep", NULL};
     bool *const presets[] = {&o->job.shade_convex, &o->job.shade_curved, &o->job.opacity_front, &o->job.opacity_deep};
     size_t size = strlen(value);
-    if (size > 4 && strcmp(value + size - 4, ".png") == 0)
+    if (size > 4 && strcasecmp(value + size - 4, ".png") == 0)
         return set_transfer_file(o, value);
     for (const char *at = value;; at++) {
         size_t length = strcspn(at, ",");
@@ -733,7 +736,7 @@ static int check_options(const options *o) {
     if (!o->output && !o->list)
         return misused("no -o OUT.png is given");
     bool varies = o->job.weight == WEIGHT_PERSPECTIVE || o->job.weight == WEIGHT_LIGHT;
-    if (o->svg && (varies || o->job.explain || o->job.style == STYLE_HODGES || o->job.style == STYLE_OPAQUE))
+    if (o->svg && (varies || o->job.explain || (o->job.style != STYLE_AUTO && o->job.style != STYLE_LINES)))
         return misused(
             "-o %s: an SVG has lines alone, each of one width: no --style but lines, no --lines perspective or "
             "light, no --explain",
@@ -769,8 +772,6 @@ static int parse(options *o, int count, char **arguments) {
         else
             o->models[o->model_count++] = arguments[i];
     }
-    if (!o->kinds_given && (o->job.style == STYLE_SMART || o->job.style == STYLE_CURVATURE))
-        o->job.silhouettes = o->job.boundaries = o->job.creases = false; /* they show their own */
     return result == DONE ? check_options(o) : result;
 }
 

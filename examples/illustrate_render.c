@@ -6,6 +6,7 @@
 #include "illustrate_render.h"
 #include "depth_image.h"
 #include "line_svg.h"
+#include "overlap.h"
 #include "refine.h"
 
 #include <math.h>
@@ -26,7 +27,7 @@
 #define OIT_BUFFERS_IMPLEMENTATION
 #include "oit_buffers.h"
 
-enum { TILE = 2048 }; /* drawn pixels */
+enum { TILE = 2048, SMALLEST_TILE = 128 }; /* drawn pixels */
 
 #define HEAVIEST 2.4f /* times its width, the heaviest line */
 
@@ -65,6 +66,23 @@ typedef struct figure {
     GLsizei crease_vertices, outline_vertices, hidden_vertices; /* in this order */
 } figure;
 
+/* What is done with the fragments of a tile, in this order. */
+typedef enum glass_stage {
+    GLASS_STORE,
+    GLASS_LINK,
+    GLASS_LAW,
+    GLASS_SMART,
+    GLASS_CURVATURE,
+    GLASS_COMPOSE,
+    GLASS_STAGES
+} glass_stage;
+
+typedef struct glass_cost {
+    bool run;
+    double ms;
+    int64_t bytes;
+} glass_cost;
+
 typedef struct renderer {
     const illustrate_job *job;
     illustrate_result *result;
@@ -85,9 +103,17 @@ typedef struct renderer {
     GLuint framebuffer, color, depth;
     int tile_width, tile_height, margin; /* of tiles, around what is kept of them: lines are whole across borders */
     double pass_ms[TR_MAX_PASSES], cpu_ms;
+    int tile;         /* how wide and tall a tile may be without its margin, drawn pixels */
     oit_context *oit; /* glass */
     GLuint ink[2];    /* its programs for lines: counting, storing */
-    double glass_ms;
+    GLuint seal[2];   /* the same for opaque parts among layers that operators look at; see draw_seals */
+    GLuint canvas, opaque, opaque_color, opaque_depth; /* color without depth; a copy of what is opaque */
+    bool tile_too_large;
+    double glass_ms, since; /* since: when the last stage ended, and `held` what buffers were there */
+    uint64_t held;
+    glass_cost costs[GLASS_STAGES];   /* of all tiles, for --explain */
+    uint32_t most_fragments, deepest; /* of a tile, of a pixel */
+    int tiles;
 } renderer;
 
 /* ---- small things -------------------------------------------------------------------------------------------- */
@@ -870,40 +896,59 @@ static int silhouette_reach(const illustrate_job *job) {
     return job->iterations ? job->iterations : 20;
 }
 
+/* In drawn pixels, of which a pixel of the result has several, so that a halo may be narrower than one of those. */
 static int halo_reach(const illustrate_job *job) {
-    return job->halo < 0 ? 0 : job->halo > 0 ? (int)ceil(job->halo) : 5;
+    return job->halo < 0 ? 0 : (int)ceil((job->halo > 0 ? job->halo : 5) * job->quality);
 }
 
 static int smart_reach(const renderer *r) {
-    int silhouette = silhouette_reach(r->job), halo = halo_reach(r->job);
+    int silhouette = silhouette_reach(r->job) * r->job->quality, halo = halo_reach(r->job);
     return silhouette > halo ? silhouette : halo;
+}
+
+static GLuint make_texture(GLenum format, int width, int height) {
+    bool depth = format == GL_DEPTH_COMPONENT32F;
+    GLuint texture;
+    glGenTextures(1, &texture);
+    glBindTexture(GL_TEXTURE_2D, texture);
+    glTexImage2D(GL_TEXTURE_2D, 0, (GLint)format, width, height, 0, depth ? GL_DEPTH_COMPONENT : GL_RGBA,
+                 depth ? GL_FLOAT : GL_UNSIGNED_BYTE, NULL);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    return texture;
+}
+
+static GLuint make_framebuffer(GLuint color, GLuint depth) {
+    GLuint framebuffer;
+    glGenFramebuffers(1, &framebuffer);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, color, 0);
+    if (depth)
+        glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth, 0);
+    return framebuffer;
 }
 
 static bool make_target(renderer *r) {
     int quality = r->job->quality;
     int wide = r->job->width * quality, tall = r->job->height * quality;
     /* Whole pixels of the result in a tile, so that tiles are averaged on their own. */
-    int most = TILE / quality * quality;
+    int most = r->tile / quality * quality;
     r->margin = 16 + (int)(0.5f * HEAVIEST * r->job->line_width * (float)quality);
     if (r->style == STYLE_SMART) { /* what is so near to a silhouette shows it */
-        int reach = smart_reach(r) * quality;
+        int reach = smart_reach(r);
         r->margin = r->margin < reach ? reach : r->margin;
     }
     r->tile_width = (wide < most ? wide : most) + 2 * r->margin;
     r->tile_height = (tall < most ? tall : most) + 2 * r->margin;
-    glGenTextures(1, &r->color);
-    glBindTexture(GL_TEXTURE_2D, r->color);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, r->tile_width, r->tile_height, 0, GL_RGBA, GL_UNSIGNED_BYTE, NULL);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glGenTextures(1, &r->depth);
-    glBindTexture(GL_TEXTURE_2D, r->depth);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT32F, r->tile_width, r->tile_height, 0, GL_DEPTH_COMPONENT,
-                 GL_FLOAT, NULL);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glGenFramebuffers(1, &r->framebuffer);
-    glBindFramebuffer(GL_FRAMEBUFFER, r->framebuffer);
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, r->color, 0);
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, r->depth, 0);
+    r->color = make_texture(GL_RGBA8, r->tile_width, r->tile_height);
+    r->depth = make_texture(GL_DEPTH_COMPONENT32F, r->tile_width, r->tile_height);
+    if (r->seal[0]) {
+        r->canvas = make_framebuffer(r->color, 0);
+        r->opaque_color = make_texture(GL_RGBA8, r->tile_width, r->tile_height);
+        r->opaque_depth = make_texture(GL_DEPTH_COMPONENT32F, r->tile_width, r->tile_height);
+        r->opaque = make_framebuffer(r->opaque_color, r->opaque_depth);
+    }
+    r->framebuffer = make_framebuffer(r->color, r->depth);
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
         return broken(r, "the driver has no %d x %d target", r->tile_width, r->tile_height);
     return true;
@@ -1167,18 +1212,8 @@ static void oit_said(oit_log_level level, oit_result code, const char *what, voi
         fprintf(stderr, "%s\n", what);
 }
 
-/* Ribbons as fragments like any other, so that lines behind glass look as if behind glass. */
-static GLuint make_ink(const renderer *r, oit_pass_kind kind) {
-    static const char *const own[2] = {
-        "layout(location = 0) in vec4 corner; // x, y in pixels, window depth, depth per pixel toward the eye\n"
-        "uniform vec2 size;\n"
-        "void main() {\n"
-        "    float z = clamp(corner.z - 2.0 * corner.w, 0.0, 1.0);\n"
-        "    gl_Position = vec4(2.0 * corner.xy / size - 1.0, 2.0 * z - 1.0, 1.0);\n}\n",
-        "uniform vec4 ink;\nvoid main() {\n"
-        "#if OIT_HAS_BLEND && OIT_PASS == OIT_FILL\n"
-        "    oit_fragment f;\n    f.color = ink;\n    f.part = 0u;\n    f.normal = vec3(0.0, 0.0, 1.0);\n"
-        "    f.blend = OIT_BLEND_LINE;\n    oit_store(f);\n#else\n    oit_store(ink);\n#endif\n}\n"};
+/* A program of the two texts behind the header's. */
+static GLuint make_storing(const renderer *r, oit_pass_kind kind, const char *const own[2]) {
     static const GLenum types[2] = {GL_VERTEX_SHADER, GL_FRAGMENT_SHADER};
     GLuint program = glCreateProgram();
     GLint linked = 0;
@@ -1200,6 +1235,42 @@ static GLuint make_ink(const renderer *r, oit_pass_kind kind) {
         return program;
     glDeleteProgram(program);
     return 0;
+}
+
+/* No surface, so that operators leave it as it is. */
+#define STORE_LINE                                                                                                     \
+    "#if OIT_HAS_BLEND && OIT_PASS == OIT_FILL\n"                                                                      \
+    "    oit_fragment f;\n    f.color = ink;\n    f.part = 0u;\n    f.normal = vec3(0.0, 0.0, 1.0);\n"                 \
+    "    f.blend = OIT_BLEND_LINE;\n    oit_store(f);\n#else\n    oit_store(ink);\n#endif\n}\n"
+
+/* Ribbons as fragments like any other, so that lines behind glass look as if behind glass. */
+static GLuint make_ink(const renderer *r, oit_pass_kind kind) {
+    static const char *const own[2] = {
+        "layout(location = 0) in vec4 corner; // x, y in pixels, window depth, depth per pixel toward the eye\n"
+        "uniform vec2 size;\n"
+        "void main() {\n"
+        "    float z = clamp(corner.z - 2.0 * corner.w, 0.0, 1.0);\n"
+        "    gl_Position = vec4(2.0 * corner.xy / size - 1.0, 2.0 * z - 1.0, 1.0);\n}\n",
+        "uniform vec4 ink;\nvoid main() {\n" STORE_LINE};
+    return make_storing(r, kind, own);
+}
+
+/* Opaque parts as they were drawn before, where they are in front; the same vertex as drew them then but for rounding. */
+static GLuint make_seal(const renderer *r, oit_pass_kind kind) {
+    static const char *const own[2] = {
+        "layout(location = 0) in vec3 place;\nuniform mat4 whole;\n"
+        "void main() {\n    gl_Position = whole * vec4(place, 1.0);\n}\n",
+        "uniform highp sampler2D colors, depths;\nvoid main() {\n"
+        "    if (gl_FragCoord.z > texelFetch(depths, ivec2(gl_FragCoord.xy), 0).r + 2.0e-6)\n        discard;\n"
+        "    vec4 ink = vec4(texelFetch(colors, ivec2(gl_FragCoord.xy), 0).rgb, 1.0);\n" STORE_LINE};
+    return make_storing(r, kind, own);
+}
+
+static bool has_opaque(const renderer *r) {
+    for (size_t i = 0; i < r->figure_count; ++i)
+        if (!(r->figures[i].object.flags & TR_TRANSPARENT) && !r->figures[i].phantom)
+            return true;
+    return false;
 }
 
 static bool start_glass(renderer *r, oit_proc (*get_proc)(const char *)) {
@@ -1224,8 +1295,10 @@ static bool start_glass(renderer *r, oit_proc (*get_proc)(const char *)) {
         return broken(r, "--style %s: %s; --style hodges needs less", style_name(r->job->style),
                       oit_result_string(result));
     for (int i = 0; i < 2; ++i) {
+        bool seals = r->job->style != STYLE_GLASS;
         r->ink[i] = make_ink(r, i ? OIT_PASS_FILL : OIT_PASS_COUNT);
-        if (!r->ink[i])
+        r->seal[i] = seals ? make_seal(r, i ? OIT_PASS_FILL : OIT_PASS_COUNT) : 0;
+        if (!r->ink[i] || (seals && !r->seal[i]))
             return broken(r, "the driver's compiler refuses a shader for lines");
     }
     return true;
@@ -1246,6 +1319,8 @@ static void draw_glass_surface(renderer *r, const oit_pass *pass, const figure *
                         : r->job->opacity > 0.0f ? r->job->opacity
                         : r->job->adaptive       ? 0.7f
                                                  : 0.3f;
+    material.two_sided = s->sheet;
+    glFrontFace(f->mirrored ? GL_CW : GL_CCW);
     oit_set_material(r->oit, pass, &material);
     glBindVertexArray(f->array);
     glDrawElements(GL_TRIANGLES, (GLsizei)s->index_count, GL_UNSIGNED_INT, NULL);
@@ -1269,6 +1344,39 @@ static void draw_glass_lines(const renderer *r, const oit_pass *pass, const figu
     glUseProgram(pass->state.program);
 }
 
+/* Operators take a surface to end where it has no fragment, and where something opaque hides it there would be none: a rim
+ * around every bolt. So all of it is stored, and what hides it as well: opaque fragments at the depths of opaque parts. */
+static void copy_opaque(const renderer *r) {
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, r->framebuffer);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, r->opaque);
+    glDisable(GL_SCISSOR_TEST);
+    glBlitFramebuffer(0, 0, r->tile_width, r->tile_height, 0, 0, r->tile_width, r->tile_height,
+                      GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+}
+
+static void draw_seals(const renderer *r, const oit_pass *pass, const double projection[16]) {
+    const GLuint program = r->seal[pass->kind == OIT_PASS_FILL];
+    glUseProgram(program);
+    glUniform1i(glGetUniformLocation(program, "depths"), 1);
+    glActiveTexture(GL_TEXTURE1);
+    glBindTexture(GL_TEXTURE_2D, r->opaque_depth);
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D, r->opaque_color);
+    for (size_t i = 0; i < r->figure_count; ++i) {
+        const figure *f = &r->figures[i];
+        double mvp[16];
+        float whole[16];
+        if (f->object.flags & TR_TRANSPARENT || f->phantom)
+            continue;
+        scene_multiply(projection, f->model_view, mvp);
+        to_float(mvp, whole);
+        glUniformMatrix4fv(glGetUniformLocation(program, "whole"), 1, GL_FALSE, whole);
+        glBindVertexArray(f->array);
+        glDrawElements(GL_TRIANGLES, (GLsizei)r->surfaces[f->surface].index_count, GL_UNSIGNED_INT, NULL);
+    }
+    glUseProgram(pass->state.program);
+}
+
 /* Opacity that layers start with. */
 static oit_operator law_operator(const illustrate_job *job) {
     static const oit_law_kind kinds[] = {OIT_LAW_ADAPTIVE, OIT_LAW_GIVEN,     OIT_LAW_CONSTANT, OIT_LAW_ADAPTIVE,
@@ -1284,7 +1392,7 @@ static oit_operator law_operator(const illustrate_job *job) {
 
 /* Reaches are pixels of the result, of which each is several drawn ones. */
 static oit_operator smart_operator(const illustrate_job *job) {
-    int silhouette = silhouette_reach(job) * job->quality, halo = halo_reach(job) * job->quality;
+    int silhouette = silhouette_reach(job) * job->quality, halo = halo_reach(job);
     oit_operator op;
     memset(&op, 0, sizeof op);
     op.kind = OIT_RUN_SMART;
@@ -1321,6 +1429,20 @@ static oit_operator curvature_operator(const renderer *r) {
     return op;
 }
 
+/* What a stage took since the one before, and what buffers it has added. */
+static void end_stage(renderer *r, glass_stage stage) {
+    if (!r->job->explain)
+        return;
+    glFinish();
+    double now = now_ms();
+    uint64_t held = oit_get_info(r->oit).bytes;
+    r->costs[stage].run = true;
+    r->costs[stage].ms += now - r->since;
+    r->costs[stage].bytes += (int64_t)held - (int64_t)r->held;
+    r->since = now;
+    r->held = held;
+}
+
 /* Smart transparency, or curvature, on what has been stored. */
 static oit_result operate(renderer *r) {
     oit_operator ops[5];
@@ -1338,17 +1460,33 @@ static oit_result operate(renderer *r) {
     if (!is_smart)
         ops[count++] = curvature_operator(r);
     oit_result result = OIT_OK;
-    for (size_t i = 0; i < count && result == OIT_OK; ++i)
+    for (size_t i = 0; i < count && result == OIT_OK; ++i) {
+        static const glass_stage stages[] = {GLASS_LINK, GLASS_LAW, GLASS_SMART, GLASS_CURVATURE}; /* by oit_run_kind */
         result = oit_run(r->oit, &ops[i]);
+        if (result == OIT_OK)
+            end_stage(r, stages[ops[i].kind]);
+    }
     return result;
+}
+
+static void count_fragments(renderer *r) {
+    oit_report report;
+    if (!r->job->explain || oit_get_report(r->oit, &report) != OIT_OK)
+        return;
+    r->most_fragments = report.needed > r->most_fragments ? report.needed : r->most_fragments;
+    r->deepest = report.deepest > r->deepest ? report.deepest : r->deepest;
+    ++r->tiles;
 }
 
 static bool draw_glass(renderer *r, const double projection[16]) {
     oit_frame frame;
     oit_pass pass;
-    double begun = now_ms();
+    double begun = r->since = now_ms();
     memset(&frame, 0, sizeof frame);
-    frame.framebuffer = r->framebuffer;
+    bool sealed = r->seal[0] && has_opaque(r);
+    if (sealed)
+        copy_opaque(r);
+    frame.framebuffer = sealed ? r->canvas : r->framebuffer;
     frame.width = r->tile_width;
     frame.height = r->tile_height;
     to_float(projection, frame.projection);
@@ -1360,21 +1498,28 @@ static bool draw_glass(renderer *r, const double projection[16]) {
     oit_result result = oit_begin(r->oit, &frame);
     if (result != OIT_OK)
         return broken(r, "%s", oit_result_string(result));
-    while (oit_next_pass(r->oit, &pass))
+    while (oit_next_pass(r->oit, &pass)) {
         for (size_t i = 0; i < r->figure_count; ++i)
             if (r->figures[i].object.flags & TR_TRANSPARENT) {
                 draw_glass_surface(r, &pass, &r->figures[i], projection);
                 draw_glass_lines(r, &pass, &r->figures[i]);
             }
+        if (sealed)
+            draw_seals(r, &pass, projection);
+    }
+    end_stage(r, GLASS_STORE);
     if (r->style != STYLE_GLASS)
         result = operate(r);
+    r->tile_too_large = result == OIT_TOO_LARGE;
     oit_result composed = oit_compose(r->oit);
     result = result == OIT_OK ? composed : result;
+    end_stage(r, GLASS_COMPOSE);
     oit_result end = oit_end(r->oit);
+    if (r->tile_too_large)
+        return broken(r, "more layers than the driver's storage blocks hold, even in small tiles");
     if (result != OIT_OK || end != OIT_OK)
         return broken(r, "%s", oit_result_string(result != OIT_OK ? result : end));
-    if (r->job->explain)
-        glFinish();
+    count_fragments(r);
     r->glass_ms += now_ms() - begun;
     return true;
 }
@@ -1492,6 +1637,43 @@ static bool draw(renderer *r) {
     return true;
 }
 
+static void drop_target(renderer *r) {
+    const GLuint textures[4] = {r->color, r->depth, r->opaque_color, r->opaque_depth};
+    const GLuint framebuffers[3] = {r->framebuffer, r->canvas, r->opaque};
+    glDeleteFramebuffers(3, framebuffers);
+    glDeleteTextures(4, textures);
+}
+
+static void stop_glass(renderer *r) {
+    for (int i = 0; i < 2; ++i) {
+        if (r->ink[i])
+            glDeleteProgram(r->ink[i]);
+        if (r->seal[i])
+            glDeleteProgram(r->seal[i]);
+        r->ink[i] = r->seal[i] = 0;
+    }
+    oit_destroy(r->oit);
+    r->oit = NULL;
+}
+
+/* Operators need all fragments of a tile at once. Where they are more than a storage block of the driver's holds, tiles of
+ * half the width and height are drawn, from a buffer that is as small. */
+static bool draw_in_tiles(renderer *r, oit_proc (*get_proc)(const char *)) {
+    for (r->tile = TILE;; r->tile /= 2) {
+        r->tile_too_large = false;
+        bool ok = make_target(r) && draw(r);
+        if (ok || !r->tile_too_large || r->tile / 2 < SMALLEST_TILE)
+            return ok;
+        drop_target(r);
+        stop_glass(r);
+        memset(r->costs, 0, sizeof r->costs);
+        r->glass_ms = 0;
+        r->held = 0;
+        if (!start_glass(r, get_proc))
+            return false;
+    }
+}
+
 /* ---- what was done --------------------------------------------------------------------------------------------- */
 
 typedef struct text {
@@ -1549,6 +1731,23 @@ static const char *drawn_interior(const renderer *r) {
     return plan->mixed ? "mixed" : interior_name(plan->interior);
 }
 
+/* The stages of glass, which have no place in the plan of transparency.h. */
+static void put_stages(const renderer *r, text *t, bool first) {
+    static const char *const said[GLASS_STAGES][2] = {
+        {"store", "every fragment of what is transparent, and of lines, is counted, then kept"},
+        {"link", "neighbours along each surface, by depth and normal"},
+        {"law", "the opacity that a layer starts with"},
+        {"smart", "silhouettes strengthened, halos before what lies behind them"},
+        {"curvature", "opacity and shade by curvature"},
+        {"compose", "layers over one another, from the eye on"}};
+    for (int i = 0; i < GLASS_STAGES; ++i)
+        if (r->costs[i].run) {
+            put(t, "%s\n    {\"pass\": \"%s\", \"why\": \"%s\", \"milliseconds\": %.3f, \"bytes\": %lld}",
+                first ? "" : ",", said[i][0], said[i][1], r->costs[i].ms, (long long)r->costs[i].bytes);
+            first = false;
+        }
+}
+
 static void put_passes(const renderer *r, text *t) {
     tr_info info = tr_get_info(r->tr);
     unsigned long long pixels = (unsigned long long)r->tile_width * (unsigned long long)r->tile_height;
@@ -1559,6 +1758,7 @@ static void put_passes(const renderer *r, text *t) {
         put_string(t, pass->why);
         put(t, ", \"milliseconds\": %.3f, \"bytes\": %llu}", r->pass_ms[i], pass->bytes_per_pixel * pixels);
     }
+    put_stages(r, t, info.plan->pass_count == 0);
     put(t, "\n  ],\n  \"bytes_per_pixel\": %u,\n  \"bytes\": %llu\n", (unsigned)info.plan->bytes_per_pixel,
         (unsigned long long)info.bytes);
 }
@@ -1577,10 +1777,10 @@ static void explain(renderer *r) {
         "],\n  \"parts\": %zu,\n  \"drawn_width\": %d,\n  \"drawn_height\": %d,\n  \"geometry_milliseconds\": %.3f,\n",
         r->figure_count, r->job->width * r->job->quality, r->job->height * r->job->quality, r->cpu_ms);
     if (has_layers(r->style)) {
-        oit_report glass;
-        oit_get_report(r->oit, &glass);
-        put(&t, "  \"glass\": {\"milliseconds\": %.3f, \"fragments\": %u, \"deepest\": %u, \"bytes\": %llu},\n",
-            r->glass_ms, (unsigned)glass.needed, (unsigned)glass.deepest,
+        put(&t,
+            "  \"glass\": {\"milliseconds\": %.3f, \"tiles\": %d, \"fragments\": %u, \"deepest\": %u, \"bytes\": "
+            "%llu},\n",
+            r->glass_ms, r->tiles, (unsigned)r->most_fragments, (unsigned)r->deepest,
             (unsigned long long)oit_get_info(r->oit).bytes);
     }
     put_passes(r, &t);
@@ -1782,40 +1982,69 @@ static void finish(renderer *r) {
     free(r->figures);
     free(r->surfaces);
     if (r->framebuffer)
-        glDeleteFramebuffers(1, &r->framebuffer);
-    if (r->color || r->depth) {
-        const GLuint textures[2] = {r->color, r->depth};
-        glDeleteTextures(2, textures);
-    }
-    for (int i = 0; i < 2; ++i)
-        if (r->ink[i])
-            glDeleteProgram(r->ink[i]);
-    oit_destroy(r->oit);
+        drop_target(r);
+    if (r->oit)
+        stop_glass(r);
     tr_destroy(r->tr);
 }
 
-bool illustrate_render(const illustrate_job *job, void (*(*get_proc)(const char *))(void), illustrate_result *result) {
+/* A single open surface that rolls up, which Hodges' rules say nothing of, for they are of things with an inside. */
+static bool is_rolled_surface(const illustrate_job *job) {
+    const scene *s = job->scene;
+    size_t shown = 0, only = 0;
+    overlap views[OVERLAP_VIEWS];
+    for (size_t i = 0; i < s->part_count; ++i)
+        if (!s->parts[i].hidden) {
+            only = i;
+            ++shown;
+        }
+    if (shown != 1 || job->phantom || (job->transparent && job->transparent[only] == PART_OPAQUE))
+        return false;
+    const scene_mesh *mesh = &s->meshes[s->parts[only].mesh];
+    return overlap_measure(mesh, views) && overlap_is_rolled(views) && !scene_mesh_closed(mesh, NULL);
+}
+
+/* What there is to draw with: fragments of all layers where the style has them. Where it was chosen here and the context is
+ * too old for it, another one is. */
+static bool start_style(renderer *r, illustrate_job *job, oit_proc (*get_proc)(const char *)) {
+    bool chosen = job->style == STYLE_AUTO && is_rolled_surface(job);
+    if (chosen)
+        r->style = job->style = STYLE_SMART;
+    if (has_layers(job->style) && !start_glass(r, get_proc)) {
+        if (!chosen)
+            return false;
+        stop_glass(r);
+        r->style = job->style = STYLE_AUTO;
+    }
+    if (!job->lines_asked && (job->style == STYLE_SMART || job->style == STYLE_CURVATURE))
+        job->silhouettes = job->boundaries = job->creases = false; /* they show their own */
+    return true;
+}
+
+bool illustrate_render(const illustrate_job *wanted, void (*(*get_proc)(const char *))(void),
+                       illustrate_result *result) {
     static const tr_alpha rungs[5] = {TR_ALPHA_CANDIDATES, TR_ALPHA_PUBLISHED, TR_ALPHA_DISTANCE, TR_ALPHA_CANDIDATES,
                                       TR_ALPHA_EXACT};
+    illustrate_job job = *wanted;
     renderer r;
     memset(&r, 0, sizeof r);
     memset(result, 0, sizeof *result);
-    r.job = job;
+    r.job = &job;
     r.result = result;
-    r.style = job->style;
-    r.alpha = rungs[job->alpha_quality];
-    bool ok = start(&r, get_proc) && (!has_layers(r.style) || start_glass(&r, get_proc)) && prepare(&r);
+    r.style = job.style;
+    r.alpha = rungs[job.alpha_quality];
+    bool ok = start(&r, get_proc) && start_style(&r, &job, get_proc) && prepare(&r);
     if (ok && r.style == STYLE_AUTO) {
         tr_scene found = tr_scene_count(r.figures, r.figure_count, sizeof *r.figures);
         r.style = found.transparent || found.transparent_two_sided ? STYLE_HODGES : STYLE_OPAQUE;
     }
     r.interior = ok ? choose_interior(&r) : TR_INTERIOR_IMPLICIT;
-    ok = ok && (job->enter <= 0 || find_crossings(&r));
-    if (ok && job->verbose)
+    ok = ok && (job.enter <= 0 || find_crossings(&r));
+    if (ok && job.verbose)
         fprintf(stderr, "style %s, %s interiors, %zu parts\n", style_name(r.style), interior_name(r.interior),
                 r.figure_count);
-    ok = ok && make_target(&r) && draw(&r);
-    if (ok && job->explain)
+    ok = ok && draw_in_tiles(&r, get_proc);
+    if (ok && job.explain)
         explain(&r);
     finish(&r);
     return ok;

@@ -56,6 +56,8 @@ typedef struct illustrate_job {
     const unsigned char *transparent; /* per part PART_AUTO, PART_TRANSPARENT or PART_OPAQUE; NULL: all PART_AUTO */
     int quality;                      /* supersampling factor per axis, 1 to 8 */
     bool silhouettes, boundaries, creases;
+    bool
+        lines_asked; /* false: STYLE_SMART and STYLE_CURVATURE, which show silhouettes of their own, draw none of them */
     float line_width; /* pixels of the result */
     illustrate_weight weight;
     bool phantom; /* transparent parts are drawn by their lines alone, dashed */

@@ -108,7 +108,8 @@ int main(void) {
                                      {colors[i][0], colors[i][1], colors[i][2], colors[i][3]},
                                      0,
                                      0,
-                                     OIT_BLEND_OVER};
+                                     OIT_BLEND_OVER,
+                                     0};
             oit_set_material(oit, &pass, &material);
             glDrawArrays(GL_TRIANGLES, 0, BALL);
         }

@@ -1,19 +1,33 @@
 #include "transfer_image.h"
 
+#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
 
 #define STBI_NO_STDIO
 #include <stb/stb_image.h> /* implemented in load_model.c */
 
-enum { LARGEST = 1 << 24 };
+enum { LARGEST = 1 << 24, WIDEST = 4096 }; /* bytes of a file; pixels along a side */
 
-static unsigned char *read_all(const char *path, size_t *size) {
+/* NULL: why is in the message. */
+static unsigned char *read_all(const char *path, size_t *size, char *message, size_t message_size) {
+    struct stat there;
+    if (stat(path, &there) == 0 && !S_ISREG(there.st_mode)) { /* a pipe would be waited for */
+        snprintf(message, message_size, "is not a regular file");
+        return NULL;
+    }
     FILE *file = fopen(path, "rb");
-    unsigned char *bytes = file ? malloc(LARGEST) : NULL;
+    if (!file) {
+        snprintf(message, message_size, "cannot be read: %s", strerror(errno));
+        return NULL;
+    }
+    unsigned char *bytes = malloc(LARGEST);
     *size = bytes ? fread(bytes, 1, LARGEST, file) : 0;
-    if (file)
-        fclose(file);
+    if (!bytes)
+        snprintf(message, message_size, "out of memory");
+    fclose(file);
     return bytes;
 }
 
@@ -45,13 +59,18 @@ static void fill(const unsigned char *pixels, int width, int height, bool has_al
 
 bool transfer_image_read(const char *path, transfer_image *out, char *message, size_t message_size) {
     size_t size;
-    int width, height, channels;
-    unsigned char *bytes = read_all(path, &size);
-    unsigned char *pixels = bytes ? stbi_load_from_memory(bytes, (int)size, &width, &height, &channels, 4) : NULL;
-    if (pixels)
-        fill(pixels, width, height, channels == 2 || channels == 4, out);
+    int width = 0, height = 0, channels = 0;
+    unsigned char *bytes = read_all(path, &size, message, message_size), *pixels = NULL;
+    if (!bytes)
+        return false;
+    if (!stbi_info_from_memory(bytes, (int)size, &width, &height, &channels))
+        snprintf(message, message_size, "not an image that can be read");
+    else if (width > WIDEST || height > WIDEST)
+        snprintf(message, message_size, "%d x %d pixels, and %d a side are the most", width, height, WIDEST);
+    else if (!(pixels = stbi_load_from_memory(bytes, (int)size, &width, &height, &channels, 4)))
+        snprintf(message, message_size, "cut short or broken");
     else
-        snprintf(message, message_size, bytes ? "not an image that can be read" : "cannot be read");
+        fill(pixels, width, height, channels == 2 || channels == 4, out);
     free(pixels);
     free(bytes);
     return pixels != NULL;

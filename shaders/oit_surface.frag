@@ -7,8 +7,8 @@ uniform vec4 oit_object_color;
 #if OIT_WANTS_NORMAL
 in vec3 oit_v_normal;
 #endif
-#if (OIT_PASS == OIT_FILL && (OIT_HAS_PART || OIT_HAS_KEY || OIT_HAS_BLEND)) || OIT_KEY_BITS == 16
-uniform uvec4 oit_object; // part, key, blend
+#if (OIT_PASS == OIT_FILL && (OIT_HAS_PART || OIT_HAS_KEY || OIT_HAS_BLEND || OIT_HAS_NORMAL)) || OIT_KEY_BITS == 16
+uniform uvec4 oit_object; // part, key, blend, whether normals go with the side that is seen
 #endif
 
 void main()
@@ -44,7 +44,7 @@ void main()
     f.blend = oit_object.z;
 #endif
 #if OIT_HAS_NORMAL
-    f.normal = normal;
+    f.normal = oit_object.w != 0u && !gl_FrontFacing ? -normal : normal;
 #endif
 #if OIT_HAS_UV
     f.uv = vec2(0.0);

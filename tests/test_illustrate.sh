@@ -118,6 +118,42 @@ zeros() {
     head -c "$1" /dev/zero
 }
 
+# pixel FILE X Y: red, green and blue of a picture that this program has written (8 bits a channel, RGB or RGBA).
+pixel() {
+    python3 - "$@" <<'END'
+import struct, sys, zlib
+data, at, packed = open(sys.argv[1], "rb").read(), 8, b""
+x, y = int(sys.argv[2]), int(sys.argv[3])
+while at < len(data):
+    length, kind = struct.unpack(">I4s", data[at:at + 8])
+    if kind == b"IHDR":
+        width, height, depth, color = struct.unpack(">IIBB", data[at + 8:at + 18])
+    if kind == b"IDAT":
+        packed += data[at + 8:at + 8 + length]
+    at += 12 + length
+n = 4 if color == 6 else 3
+raw, above = zlib.decompress(packed), bytes(width * n)
+for line in range(y + 1):
+    start = line * (width * n + 1)
+    how, row = raw[start], bytearray(raw[start + 1:start + 1 + width * n])
+    for i in range(width * n):
+        a, b, c = row[i - n] if i >= n else 0, above[i], above[i - n] if i >= n else 0
+        near = min((abs(b - c), 0, a), (abs(a - c), 1, b), (abs(a + b - 2 * c), 2, c))[2]
+        row[i] = row[i] + (0, a, b, (a + b) // 2, near)[how] & 255
+    above = row
+print(*above[n * x:n * x + 3])
+END
+}
+
+# sheet NAME DEPTH SIDE: an upright square in an OBJ, as seen from the front; uses and counts `corners`.
+corners=0
+sheet() {
+    printf 'o %s\nv -%s %s -%s\nv %s %s -%s\nv %s %s %s\nv -%s %s %s\n' "$1" "$3" "$2" "$3" "$3" "$2" "$3" "$3" "$2" "$3" \
+        "$3" "$2" "$3"
+    printf 'f %d %d %d %d\n' $((corners + 1)) $((corners + 2)) $((corners + 3)) $((corners + 4))
+    corners=$((corners + 4))
+}
+
 # glb JSON BYTES [CLAIMED]: a GLB file on stdout; BYTES are the octal escapes of its binary chunk, a multiple of four.
 glb() {
     text=$1
@@ -352,6 +388,21 @@ done
 for word in '' dull convex, ,deep; do
     wrong 'not known; there are convex, curved, front, deep and a FILE.png' model:mug -o out/picture.png --transfer "$word"
 done
+: >in/empty.png
+echo 'This is no picture at all.' >in/text.png
+printf '\211PNG\r\n\032\n' >in/cut.png
+printf '\211PNG\r\n\032\n\000\000\000\015IHDR\000\000\001\000\000\000\000\001\010\002\000\000\000\000\000\000\000' >in/no_pixels.png
+printf '\211PNG\r\n\032\n\000\000\000\015IHDR\000\000\100\000\000\000\100\000\010\006\000\000\000\000\000\000\000' >in/huge.png
+mkdir in/table.png
+mkfifo in/pipe.png
+for table in 'missing cannot be read: No such file' 'empty not an image' 'text not an image' 'cut not an image' \
+    'no_pixels cut short or broken' 'huge 16384 x 16384 pixels' 'table is not a regular file' 'pipe is not a regular file'; do
+    refuses 1 "in/${table%% *}.png: ${table#* }" model:mug -o out/picture.png --transfer "in/${table%% *}.png"
+done
+rmdir in/table.png
+for style in hodges opaque glass smart curvature; do
+    wrong 'an SVG has lines alone' model:mug -o out/picture.svg --style "$style"
+done
 wrong 'no such part' model:mug -o out/picture.png --group spoon
 wrong 'names no part' model:mug -o out/picture.png --group ,
 wrong 'not a positive number' model:mug -o out/picture.png --group-distance 0
@@ -384,7 +435,7 @@ refuses 1 'is a folder' model:mug -o in/folder.png
 run --help
 check '--help' [ "$status" -eq 0 ]
 for option in output style size view ortho transparent opaque hide list lines shade background k blend weights \
-    interior group group-distance enter quality up gles explain verbose version; do
+    interior group group-distance enter quality up gles explain verbose version law iterations halo transfer glass; do
     check "--help names --$option" grep -q -e "--$option" stdout
 done
 run --version
@@ -503,6 +554,70 @@ check '--transfer of no image says so' grep -q 'not an image' stderr
 run model:klein_bottle --size 32x32 --quality 1 --style smart --gles -o out/gles.png
 check '--style smart --gles' [ "$status" -eq 0 ]
 rm -f out/smart.png out/curvature.png out/law.png out/gles.png out/table.png in/table.png
+for passes in 'smart store link law smart compose' 'curvature store link law curvature compose' 'glass store compose'; do
+    style=${passes%% *}
+    run model:squares --size 32x32 --quality 1 --style "$style" --explain -o out/picture.png
+    named=$(sed -n 's/.*"pass": "\([a-z]*\)".*/\1/p' stdout | tr '\n' ' ')
+    check "--explain --style $style names its passes: $named" [ "$named" = "${passes#* } " ]
+done
+run model:squares --size 32x32 --quality 1 --style curvature --law distance --explain -o out/picture.png
+check '--law distance finds silhouettes first' [ "$(grep -c '"pass": "smart"' stdout)" -eq 1 ]
+
+# A surface that rolls up is smart of itself; not where something else is wished, or there are two, or the context is old.
+for model in stream_surface klein_bottle; do
+    run "model:$model" --size 32x32 --quality 1 --explain -o out/picture.png
+    check "--style auto of $model" grep -q '"style": "smart"' stdout
+done
+cp out/picture.png bottle.png
+run model:klein_bottle --size 32x32 --quality 1 --style smart -o out/picture.png
+check '--style auto draws what smart draws' cmp -s out/picture.png bottle.png
+for other in 'opaque model:klein_bottle --opaque klein_bottle' 'hodges model:klein_bottle model:squares' \
+    'opaque model:torus_knot' 'opaque in/good.glb'; do
+    run ${other#* } --size 32x32 --quality 1 --explain -o out/picture.png
+    check "--style auto of ${other#* } is ${other%% *}" grep -q "\"style\": \"${other%% *}\"" stdout
+done
+timeout "$limit" env MESA_GL_VERSION_OVERRIDE=3.3 MESA_GLSL_VERSION_OVERRIDE=330 \
+    "$illustrate" model:klein_bottle --size 32x32 --quality 1 --explain -o out/picture.png >stdout 2>stderr </dev/null
+check '--style auto on an old context draws' [ $? -eq 0 ]
+check '--style auto on an old context says nothing' [ ! -s stderr ]
+rm -f out/* bottle.png
+
+# What is in front hides a surface, and does not end it: beside an opaque part a sheet is as it is elsewhere.
+{ sheet glass 0 10 && sheet plug -1 2; } >in/plug.obj
+front='--up z --view 0,0 --ortho --size 200x200 --quality 1'
+for style in smart curvature; do
+    run in/plug.obj $front --style "$style" --law constant --transparent glass --opaque plug -o out/picture.png
+    check "--style $style: no rim around what is in front" \
+        [ "$(pixel out/picture.png 80 100)" = "$(pixel out/picture.png 60 60)" ]
+    check "--style $style: and what is in front is seen" \
+        [ "$(pixel out/picture.png 84 100)" != "$(pixel out/picture.png 60 60)" ]
+done
+
+# A black line behind two sheets of opacity 0.3 takes 0.49 of the paper's white from what is seen there without it.
+corners=0
+{ sheet first -4 10 && sheet second -2 10 && sheet last 0 2; } >in/lines.obj
+for style in smart 'smart --gles' glass; do
+    law='--law constant:0.3'
+    [ "$style" != glass ] || law='--glass constant:0.3'
+    run in/lines.obj $front --style $style $law --transparent '*' --lines boundaries:6 -o out/picture.png
+    set -- $(pixel out/picture.png 60 60) $(pixel out/picture.png 82 100)
+    for channel in 1 2 3; do
+        check "--style $style: a line behind two sheets: $*" [ $(($1 - $4)) -ge 124 -a $(($1 - $4)) -le 126 ]
+        shift
+        set -- "$@" x
+    done
+done
+
+# More fragments than a block of Mesa's software driver holds: smaller tiles, and the same picture but for where they meet.
+corners=0
+for depth in 0 1 2 3 4 5; do sheet "s$depth" "$depth" 10; done >in/deep.obj
+run in/deep.obj --up z --view 0,0 --ortho --size 1200x1200 --quality 1 --style smart --law constant --iterations 1 --halo 0 \
+    --transparent '*' --explain -o out/picture.png
+check 'more fragments than a block holds' [ "$status" -eq 0 ]
+check 'more fragments than a block holds: nothing is said' [ ! -s stderr ]
+check 'they are drawn in tiles' grep -q '"tiles": [1-9]' stdout
+check 'alike in all of them' [ "$(pixel out/picture.png 300 300)" = "$(pixel out/picture.png 900 700)" ]
+rm -f out/*
 run in/latin1.obj --transparent '*' --size 16x16 --explain -o out/picture.png
 check '--explain writes JSON for any name' python3 -m json.tool stdout parsed
 rm -f out/*
@@ -608,7 +723,7 @@ check 'and stays so when another part is asked for' grep -q '"transparent": \["c
 
 # ---- every model ---------------------------------------------------------------------------------------------
 
-for name in mug crank gearbox torus_knot shells dirty_open dirty_doubled dirty_degenerate dirty_nonmanifold \
+for name in mug crank gearbox torus_knot shells squares cylinders cube_and_sphere klein_bottle stream_surface dirty_open dirty_doubled dirty_degenerate dirty_nonmanifold \
     dirty_flipped; do
     draws 64 48 "model:$name"
 done
