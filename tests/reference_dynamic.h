@@ -32,6 +32,8 @@
  *    rectangle, axes along the window's.
  *  - Beside the target the mask has no fragment of its own to compare with: it has the depth of the nearest open pixel of
  *    the target, of equally near ones that nearest to the eye.
+ *  - "Low resolution, finished by the target at full resolution": with cells of so many pixels a side the nearest pixel of
+ *    the target is, beside the target, the nearest of the four that are nearest to the middles of the cells around.
  *  - "An impenetrable surface also closes the mask of what it hides": pixels of the target behind such a surface are not
  *    open: they are no part of the shape and nothing grows from them. The gradient of open pixels runs on over the
  *    impenetrable surface, so that what lies before both has no hard edge there. In the paper such pixels are open.
@@ -88,6 +90,7 @@ typedef struct ref_dyn_scene {
     ref_dyn_growth growth;
     bool open_behind_impenetrable, whole_masks_cut_targets; /* as in the paper */
     uint32_t layers;                                        /* layer control; 0: no limit */
+    int cell;                                               /* 2 and more: the cheaper nearest pixel, see below */
     const ref_dyn_light *lights;
     size_t light_count;
 } ref_dyn_scene;
@@ -556,12 +559,83 @@ static inline const ref_dyn_i_cover *ref_dyn_i_nearest_open(const ref_dyn_scene 
     return best;
 }
 
-static inline void ref_dyn_i_fill_mask(const ref_dyn_scene *dynamic, ref_dyn_i_mask *mask, const ref_dyn_i_form *form,
+/* Of each cell from `first` on, `across` by `up` of them, the open pixel that is nearest to the cell's middle; of a row's
+ * the nearest along it, which matters where distances are counted in rings. The pixels come row by row. */
+static inline void ref_dyn_i_look_from_cells(const ref_dyn_scene *dynamic, const int first[2], int across, int up,
+                                             const ref_dyn_i_cover *open, size_t count, const ref_dyn_i_cover **seeds) {
+    for (int i = 0; i < across * up; ++i) {
+        long cell = dynamic->cell,
+             middle[2] = {2 * cell * (first[0] + i % across) + cell, 2 * cell * (first[1] + i / across) + cell};
+        long least = 0, least_across = 0; /* twice the places are integers */
+        const ref_dyn_i_cover *of_row = NULL;
+        seeds[i] = NULL;
+        for (size_t k = 0; k < count; ++k) {
+            long dx = labs(2L * open[k].x + 1 - middle[0]), dy = labs(2L * open[k].y + 1 - middle[1]);
+            if (!of_row || dx < least_across || (dx == least_across && open[k].depth < of_row->depth)) {
+                of_row = &open[k];
+                least_across = dx;
+            }
+            if (k + 1 < count && open[k + 1].y == open[k].y)
+                continue;
+            long far = least_across > dy ? least_across : dy;
+            long size = dynamic->growth == REF_DYN_RINGS ? far : least_across * least_across + dy * dy;
+            if (!seeds[i] || size < least || (size == least && of_row->depth < seeds[i]->depth)) {
+                seeds[i] = of_row;
+                least = size;
+            }
+            of_row = NULL;
+        }
+    }
+}
+
+/* The nearest open pixel to each of the mask's, or NULL: out of memory. */
+static inline const ref_dyn_i_cover **ref_dyn_i_find_nearest(const ref_dyn_scene *dynamic, const ref_dyn_i_mask *mask,
+                                                             const ref_dyn_i_cover *open, size_t count) {
+    int width = mask->x1 - mask->x0, height = mask->y1 - mask->y0, cell = dynamic->cell > 1 ? dynamic->cell : 1;
+    int first[2] = {mask->x0 / cell - 1, mask->y0 / cell - 1}, across = width / cell + 4, up = height / cell + 4;
+    const ref_dyn_i_cover **nearest = calloc((size_t)width * (size_t)height + 1, sizeof *nearest);
+    const ref_dyn_i_cover **seeds = calloc((size_t)across * (size_t)up, sizeof *seeds), *four[4];
+    if (nearest && seeds && cell > 1)
+        ref_dyn_i_look_from_cells(dynamic, first, across, up, open, count, seeds);
+    for (int i = 0; nearest && seeds && i < width * height; ++i) {
+        int x = mask->x0 + i % width, y = mask->y0 + i / width;
+        double distance;
+        nearest[i] = ref_dyn_i_nearest_open(dynamic, open, count, x, y, &distance);
+        if (cell == 1 || distance <= 0)
+            continue;
+        nearest[i] = NULL;
+        for (int k = 0; k < 4; ++k) { /* the cells whose middles are around: half a cell to each side */
+            int column = (int)floor((x + 0.5) / cell - 0.5) + k % 2, row = (int)floor((y + 0.5) / cell - 0.5) + k / 2;
+            int last[2] = {(dynamic->scene->width - 1) / cell, (dynamic->scene->height - 1) / cell};
+            column = column < 0 ? 0 : column > last[0] ? last[0] : column;
+            row = row < 0 ? 0 : row > last[1] ? last[1] : row;
+            four[k] = seeds[(row - first[1]) * across + column - first[0]];
+        }
+        for (int k = 0; k < 4; ++k) {
+            double other, own = 0;
+            if (nearest[i])
+                ref_dyn_i_nearest_open(dynamic, nearest[i], 1, x, y, &own);
+            ref_dyn_i_nearest_open(dynamic, four[k], 1, x, y, &other);
+            if (!nearest[i] || other < own || (other <= own && four[k]->depth < nearest[i]->depth))
+                nearest[i] = four[k];
+        }
+    }
+    free(seeds);
+    if (!seeds) {
+        free(nearest);
+        return NULL;
+    }
+    return nearest;
+}
+
+static inline bool ref_dyn_i_fill_mask(const ref_dyn_scene *dynamic, ref_dyn_i_mask *mask, const ref_dyn_i_form *form,
                                        const ref_dyn_i_cover *open, size_t count) {
-    for (int y = mask->y0; y < mask->y1; ++y)
+    const ref_dyn_i_cover **nearest = ref_dyn_i_find_nearest(dynamic, mask, open, count);
+    for (int y = mask->y0; nearest && y < mask->y1; ++y)
         for (int x = mask->x0; x < mask->x1; ++x) {
+            size_t i = (size_t)(y - mask->y0) * (size_t)(mask->x1 - mask->x0) + (size_t)(x - mask->x0);
             double distance, beyond, centre[2] = {x + 0.5, y + 0.5};
-            const ref_dyn_i_cover *seed = ref_dyn_i_nearest_open(dynamic, open, count, x, y, &distance);
+            const ref_dyn_i_cover *seed = ref_dyn_i_nearest_open(dynamic, nearest[i], 1, x, y, &distance);
             bool inside = distance <= 0;
             if (dynamic->shape == REF_DYN_OUTLINE) {
                 beyond = fmax(distance - 1, 0);
@@ -569,11 +643,12 @@ static inline void ref_dyn_i_fill_mask(const ref_dyn_scene *dynamic, ref_dyn_i_m
                 beyond = ref_dyn_i_beyond(form, dynamic->shape, centre);
                 inside = inside || beyond <= 0;
             }
-            size_t i = (size_t)(y - mask->y0) * (size_t)(mask->x1 - mask->x0) + (size_t)(x - mask->x0);
             ref_dyn_i_mask_pixel made = {inside ? dynamic->alpha_target : ref_dyn_gradient(dynamic, beyond),
                                          seed->depth, seed->slack, distance <= 0};
             mask->pixels[i] = made;
         }
+    free(nearest);
+    return nearest != NULL;
 }
 
 /* The rectangle that the mask may cover. */
@@ -618,8 +693,7 @@ static inline bool ref_dyn_i_make_mask(const ref_dyn_i_world *world, ref_dyn_i_m
         mask->pixels = calloc((size_t)(mask->x1 - mask->x0) * (size_t)(mask->y1 - mask->y0) + 1, sizeof *mask->pixels);
         ok = mask->pixels != NULL;
     }
-    if (ok)
-        ref_dyn_i_fill_mask(dynamic, mask, &form, open, count);
+    ok = ok && ref_dyn_i_fill_mask(dynamic, mask, &form, open, count);
     free(form.corners);
     free(points);
     return ok;
