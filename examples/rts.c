@@ -271,7 +271,6 @@ static int read_options(options *o, int argc, char **argv) {
     o->alpha_target = 0.3;
     o->alpha_start = 0.1;
     o->mask_width = 12;
-    o->mask_divisor = 2;
     for (int i = 1, used; i < argc; i += used) {
         int result = read_option(o, argv + i, argc - i, &used);
         if (result != DONE)

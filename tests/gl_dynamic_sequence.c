@@ -5,7 +5,8 @@
 
 static void set_truth(stage *s, tr_see see) {
     s->wish.see = see;
-    s->truth.order = see == TR_SEE_EXACT ? REF_DYN_PER_PIXEL : REF_DYN_OBJECT_CENTRES;
+    s->truth.order = see <= TR_SEE_EXACT ? REF_DYN_PER_PIXEL : REF_DYN_OBJECT_CENTRES;
+    s->truth.one_mask = see == TR_SEE_ONE_MASK;
     if (see == TR_SEE_PUBLISHED)
         ref_dyn_published(&s->truth);
 }
@@ -330,6 +331,26 @@ static void exact_is_the_truth_per_pixel(void **state) {
         run_trial(&trials[i], 10);
 }
 
+/* One mask for all targets is the truth but where the reference's other reading of it says that it is not. */
+static void one_mask_is_what_is_said_of_it(void **state) {
+    static const trial trials[] = {
+        {"one mask", TR_SEE_ONE_MASK, SOLIDS, MIN_, TOGETHER, 0, 1, GL33, 2.5, FEW, OUTLINE},
+        {"one mask, impenetrable", TR_SEE_ONE_MASK, IMPENETRABLES | BACKDROPS, MIN_, TOGETHER, 0, 1, GL33, 2.5, FEW,
+         OUTLINE},
+        {"one mask, importances", TR_SEE_ONE_MASK, IMPORTANCES | IMPENETRABLES, MIN_, TOGETHER, 0, 1, GL33, 2.5, FEW,
+         OUTLINE},
+        {"one mask, hollow", TR_SEE_ONE_MASK, HOLLOWS, MIN_, TOGETHER, 0, 1, GL33, 2.5, FEW, OUTLINE},
+        {"one mask, lights", TR_SEE_ONE_MASK, LIGHTS, MIN_, TOGETHER, 0, 1, GL33, 2.5, FEW, OUTLINE},
+        {"one mask, fades", TR_SEE_ONE_MASK, FADES, MIN_, TOGETHER, 0, 1, GL33, 2.5, FEW, OUTLINE},
+        {"one mask, 8 bits", TR_SEE_ONE_MASK, SOLIDS, MIN_, TOGETHER, 0, 1, EIGHT_BITS, 2.5, FEW, OUTLINE},
+        {"one mask, reversed z", TR_SEE_ONE_MASK, IMPENETRABLES, MIN_, TOGETHER, 0, 1, REVERSED, 2.5, FEW, OUTLINE},
+        {"one mask, ES 3.0", TR_SEE_ONE_MASK, IMPENETRABLES | FADES, MIN_, TOGETHER, 0, 1, ES, 2.5, FEW, OUTLINE},
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof trials / sizeof trials[0]; ++i)
+        run_trial(&trials[i], 10);
+}
+
 /* A pixel of the outline on which rasteriser and ray disagree moves all of its circle. */
 static void shapes_are_the_truth(void **state) {
     static const trial trials[] = {
@@ -463,10 +484,17 @@ static void only_what_is_called_for(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(sequence_of_two_walls),          cmocka_unit_test(sequences_are_the_truth_by_centres),
-        cmocka_unit_test(published_is_the_paper),         cmocka_unit_test(exact_is_the_truth_per_pixel),
-        cmocka_unit_test(shapes_are_the_truth),           cmocka_unit_test(farthest_targets_keep_their_weight),
-        cmocka_unit_test(layers_too_many_lose_no_target), cmocka_unit_test(only_what_is_called_for),
+        cmocka_unit_test(sequence_of_two_walls),
+        cmocka_unit_test(sequences_are_the_truth_by_centres),
+        cmocka_unit_test(published_is_the_paper),
+        cmocka_unit_test(exact_is_the_truth_per_pixel),
+        cmocka_unit_test(one_mask_is_what_is_said_of_it),
+        cmocka_unit_test(shapes_are_the_truth),
+        cmocka_unit_test(farthest_targets_keep_their_weight),
+        cmocka_unit_test(layers_too_many_lose_no_target),
+        cmocka_unit_test(only_what_is_called_for),
     };
+    if (getenv("GLASSINE_TEST"))
+        cmocka_set_test_filter(getenv("GLASSINE_TEST"));
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
