@@ -52,7 +52,7 @@ static const char *const HELP[] = {
     "  --alpha-target A         opacity left before a unit, 0 to 1; default 0.3\n"
     "  --alpha-start A          and beside it; default 0.1\n"
     "  --mask-width PIXELS      over which it rises to 1, 0 to 25; default 12\n"
-    "  --mask-divisor N         pixels a mask texel: 1, 2, 4 or 8; default 2\n"
+    "  --mask-divisor N         pixels a mask texel: 1, 2, 4 or 8; default 2, of exact 1\n"
     "  --layers N               only the N layers nearest to the eye yield; default 0: all\n"
     "  --active                 units are seen inside the search light only; in the window it follows the mouse\n"
     "  --light X,Y,RADIUS,EDGE  the light, in pixels from the lower left corner; default 0.3 of the height, in the middle\n"
@@ -271,7 +271,6 @@ static int read_options(options *o, int argc, char **argv) {
     o->alpha_target = 0.3;
     o->alpha_start = 0.1;
     o->mask_width = 12;
-    o->mask_divisor = 2;
     for (int i = 1, used; i < argc; i += used) {
         int result = read_option(o, argv + i, argc - i, &used);
         if (result != DONE)

@@ -408,15 +408,22 @@ static inline void dynamic_print(const dynamic_scene *d, const char *name, const
            100 * e->left_out, path);
 }
 
-/* Of how many targets of at least 20 pixels the mean weight is 0.3 or more. */
-static inline void dynamic_count_seen(const dynamic_scene *d, const ref_dyn_census *census, size_t *large,
-                                      size_t *seen) {
-    *large = *seen = 0;
+/* Targets that a person may find: those of which at least 20 pixels have a weight of 0.3 or more. A proxy for the paper's
+ * user study, not a study. */
+typedef struct dynamic_found {
+    size_t targets, without,
+        with; /* of 20 pixels and more, hidden or not; found without and with dynamic transparency */
+} dynamic_found;
+
+static inline dynamic_found dynamic_find_targets(const dynamic_scene *d, const ref_dyn_census *census) {
+    dynamic_found found = {0, 0, 0};
     for (size_t i = 0; i < d->count; ++i)
         if (census[i].pixels >= 20 && d->marks[i].flags & REF_DYN_TARGET) {
-            ++*large;
-            *seen += census[i].weight / (double)census[i].pixels >= 0.3;
+            ++found.targets;
+            found.without += census[i].pixels - census[i].hidden >= 20;
+            found.with += census[i].clear >= 20;
         }
+    return found;
 }
 
 #endif

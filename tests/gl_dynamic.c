@@ -133,44 +133,64 @@ static double probe_error(const dyn_probe *p, const dyn_probe_scene *s, const un
     return worst;
 }
 
-/* A probe's tolerance is one of weights; colours of two objects differ by no more than 0.8. 1.5/255 is for two roundings
- * to 8 bits, of what is behind and of the whole. */
+typedef struct probe_tally {
+    int tried, held, departed; /* departed: where the rung is said to show something else */
+} probe_tally;
+
+/* The probes that a rung does not hold are those, and none else, that what docs/dynamic.md says of it does not hold: of one
+ * mask for all targets the reference tells, under that reading. A probe's
+ * tolerance is one of weights; colours of two objects differ by no more than 0.8. 1.5/255 is for two roundings to 8 bits,
+ * of what is behind and of the whole. */
+static void try_probes(harness *h, int scene_index, tr_see see, probe_tally *tally) {
+    const dyn_probe_scene *s = &dyn_probe_scenes[scene_index];
+    ref_dyn_light lights[TR_MAX_LIGHTS];
+    dynamic_scene d;
+    probe_open(&d, h, s, lights);
+    harness_target(h, s->width, s->height);
+    d.wish.see = see;
+    d.wish.mask_divisor = 1;
+    d.truth.one_mask = see == TR_SEE_ONE_MASK;
+    if (dynamic_can(h, &d)) {
+        dynamic_draw(h, &d);
+        unsigned char *pixels = dynamic_read(h, &d);
+        ref_dyn_pixel *said = dynamic_truth(&d, NULL);
+        for (int k = 0; k < DYN_PROBE_COUNT; ++k) {
+            const dyn_probe *p = &dyn_probes[k];
+            if (p->scene != scene_index || reading_of(p) != READING_NONE)
+                continue;
+            size_t at = (size_t)p->y * (size_t)s->width + (size_t)p->x;
+            double error = probe_error(p, s, pixels), allowed = 255 * 0.8 * p->tolerance + 1.5, off = 0;
+            for (size_t c = 0; c < 3; ++c)
+                off = fmax(off, fabs(255 * said[at].color[c] - pixels[4 * at + c]));
+            ++tally->tried;
+            tally->held += error <= allowed;
+            tally->departed += error > allowed && off <= 2.5;
+            if (error > allowed && off > 2.5)
+                fail_msg("%s, %s %d,%d off by %.1f/255, by %.1f from what is said of the rung: %s", see_names[see],
+                         s->name, p->x, p->y, error, off, p->why);
+        }
+        free(said);
+        free(pixels);
+    }
+    dynamic_close(&d);
+}
+
 static void gl_holds_the_probes(void **state) {
-    static const tr_see sees[] = {TR_SEE_EXACT, TR_SEE_ONE_MASK};
+    static const struct {
+        tr_see see;
+        int departed;
+    } rungs[] = {{TR_SEE_EXACT, 0}, {TR_SEE_ONE_MASK, 54}};
     harness h;
     (void)state;
     harness_open(&h, 330, false, NULL);
-    for (size_t m = 0; m < sizeof sees / sizeof sees[0]; ++m) {
-        int held = 0, tried = 0;
-        for (int i = 0; i < DYN_PROBE_SCENE_COUNT; ++i) {
-            const dyn_probe_scene *s = &dyn_probe_scenes[i];
-            ref_dyn_light lights[TR_MAX_LIGHTS];
-            dynamic_scene d;
-            probe_open(&d, &h, s, lights);
-            harness_target(&h, s->width, s->height);
-            d.wish.see = sees[m];
-            d.wish.mask_divisor = 1;
-            if (dynamic_can(&h, &d)) {
-                dynamic_draw(&h, &d);
-                unsigned char *pixels = dynamic_read(&h, &d);
-                for (int k = 0; k < DYN_PROBE_COUNT; ++k) {
-                    const dyn_probe *p = &dyn_probes[k];
-                    if (p->scene != i || reading_of(p) != READING_NONE)
-                        continue;
-                    double error = probe_error(p, s, pixels), allowed = 255 * 0.8 * p->tolerance + 1.5;
-                    ++tried;
-                    held += error <= allowed;
-                    if (error > allowed && sees[m] == TR_SEE_EXACT)
-                        printf("    exact, %s %d,%d off by %.1f/255: %s\n", s->name, p->x, p->y, error, p->why);
-                }
-                free(pixels);
-            }
-            dynamic_close(&d);
-        }
-        printf("    %s holds %d of %d probes\n", see_names[sees[m]], held, tried);
-        if (sees[m] == TR_SEE_EXACT)
-            assert_int_equal(held, tried);
-        assert_true(held * 10 >= tried * 6);
+    for (size_t m = 0; m < sizeof rungs / sizeof rungs[0]; ++m) {
+        probe_tally tally = {0, 0, 0};
+        for (int i = 0; i < DYN_PROBE_SCENE_COUNT; ++i)
+            try_probes(&h, i, rungs[m].see, &tally);
+        printf("    %s holds %d of %d probes; %d others are as is said of it\n", see_names[rungs[m].see], tally.held,
+               tally.tried, tally.departed);
+        assert_int_equal(tally.departed, rungs[m].departed);
+        assert_int_equal(tally.held + tally.departed, tally.tried);
     }
     harness_close(&h);
 }
@@ -859,71 +879,6 @@ static void other_attachments_are_the_hosts(void **state) {
     harness_close(&h);
 }
 
-/* ---- in time ---- */
-
-static double change_between(const double *a, const double *b, size_t count) {
-    double sum = 0;
-    for (size_t i = 0; i < count; ++i)
-        sum += i % 4 == 3 ? 0 : fabs(a[i] - b[i]);
-    return sum;
-}
-
-static void frames_change_as_the_truth_does(void **state) {
-    enum { FRAMES = FEW ? 10 : 200, W = 96, H = 72, BYTES = 4 * W * H };
-    static const tr_see sees[] = {TR_SEE_ONE_MASK, TR_SEE_EXACT};
-    harness h;
-    dynamic_scene d;
-    double *before[3], *now[3], change[3] = {0, 0, 0}, worst[3] = {0, 0, 0};
-    (void)state;
-    harness_open(&h, 330, false, NULL);
-    harness_target(&h, W, H);
-    dynamic_open(&d, &h, dynamic_random_field(11, 20, 3, false));
-    dynamic_shade(&d, true);
-    for (int i = 0; i < 3; ++i)
-        before[i] = dynamic_need(BYTES * sizeof(double)), now[i] = dynamic_need(BYTES * sizeof(double));
-    for (int f = 0; f < FRAMES; ++f) {
-        double turn = 0.01 * f, last = 0;
-        const double eye[3] = {16 * cos(turn), 16 * sin(turn), 6 + sin(3 * turn)};
-        dynamic_look(&d, eye, ORIGIN, 45, W, H);
-        ref_dyn_pixel *truth = dynamic_truth(&d, NULL);
-        for (size_t i = 0; i < BYTES; ++i)
-            now[2][i] = i % 4 == 3 ? 0 : 255 * truth[i / 4].color[i % 4];
-        free(truth);
-        for (int m = 0; m < 2; ++m) {
-            d.wish.see = sees[m];
-            if (!dynamic_can(&h, &d))
-                continue;
-            dynamic_draw(&h, &d);
-            unsigned char *pixels = dynamic_read(&h, &d);
-            for (size_t i = 0; i < BYTES; ++i)
-                now[m][i] = pixels[i];
-            free(pixels);
-        }
-        for (int m = 2; f && m >= 0; --m) {
-            double by = change_between(before[m], now[m], BYTES);
-            change[m] += by;
-            last = m == 2 ? by : last;
-            worst[m] = fmax(worst[m], by / last);
-        }
-        for (int m = 0; m < 3; ++m) {
-            double *kept = before[m];
-            before[m] = now[m];
-            now[m] = kept;
-        }
-    }
-    for (int m = 0; m < 2; ++m) {
-        printf("    %-10s changes %.3f times as much as the truth over %d frames, %.3f in the worst\n",
-               see_names[sees[m]], change[m] / change[2], FRAMES, worst[m]);
-        assert_true(change[m] <= 1.2 * change[2]);
-    }
-    for (int i = 0; i < 3; ++i) {
-        free(before[i]);
-        free(now[i]);
-    }
-    dynamic_close(&d);
-    harness_close(&h);
-}
-
 /* GLASSINE_TEST=pattern: those tests alone. */
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(opaque_pictures_agree),
@@ -940,7 +895,6 @@ int main(void) {
                                        cmocka_unit_test(nothing_called_for_nothing_changed),
                                        cmocka_unit_test(versions_agree),
                                        cmocka_unit_test(other_attachments_are_the_hosts),
-                                       cmocka_unit_test(frames_change_as_the_truth_does),
                                        cmocka_unit_test(rungs_on_named_scenes)};
     if (getenv("GLASSINE_TEST"))
         cmocka_set_test_filter(getenv("GLASSINE_TEST"));

@@ -32,6 +32,12 @@
  *    rectangle, axes along the window's.
  *  - Beside the target the mask has no fragment of its own to compare with: it has the depth of the nearest open pixel of
  *    the target, of equally near ones that nearest to the eye.
+ *  - One mask for all targets (not the truth, but what docs/dynamic.md says of TR_SEE_ONE_MASK; each departure is a line of
+ *    ref_dyn_i_compose_one): at a pixel the nearest target's, beside targets that of the nearest pixel of any. The picture
+ *    is the scene and, in the share that the mask takes away, the front-most of what does not yield. Only importances that
+ *    are 0 or 1 are the same for all that is before the target; of others the front-most layer's counts.
+ *  - "Low resolution, finished by the target at full resolution": with cells of so many pixels a side the nearest pixel of
+ *    the target is, beside the target, the nearest of the four that are nearest to the middles of the cells around.
  *  - "An impenetrable surface also closes the mask of what it hides": pixels of the target behind such a surface are not
  *    open: they are no part of the shape and nothing grows from them. The gradient of open pixels runs on over the
  *    impenetrable surface, so that what lies before both has no hard edge there. In the paper such pixels are open.
@@ -88,6 +94,8 @@ typedef struct ref_dyn_scene {
     ref_dyn_growth growth;
     bool open_behind_impenetrable, whole_masks_cut_targets; /* as in the paper */
     uint32_t layers;                                        /* layer control; 0: no limit */
+    bool one_mask;                                          /* see above */
+    int cell;                                               /* 2 and more: the cheaper nearest pixel, see below */
     const ref_dyn_light *lights;
     size_t light_count;
 } ref_dyn_scene;
@@ -107,6 +115,7 @@ typedef struct ref_dyn_census {
     size_t pixels; /* covered by it, hidden or not */
     size_t hidden; /* of these, those with anything nearer */
     size_t closed; /* of these, those with an impenetrable surface or a backdrop nearer */
+    size_t clear;  /* those in which its weight is 0.3 or more */
     double weight; /* sum of its weights */
     double least;  /* its least weight on a pixel of its own that is not closed; 1 where there is none */
 } ref_dyn_census;
@@ -185,7 +194,8 @@ typedef struct ref_dyn_i_list { /* of structs of one size */
 typedef struct ref_dyn_i_mask_pixel {
     double value; /* 1: no mask here */
     double depth, slack;
-    bool own; /* the target is there, open */
+    bool own;        /* the target is there, open */
+    uint32_t object; /* whose it is */
 } ref_dyn_i_mask_pixel;
 
 typedef struct ref_dyn_i_mask {
@@ -347,7 +357,8 @@ static inline size_t ref_dyn_i_arrange(ref_dyn_i_world *world) {
         ref_dyn_i_pick(world, i);
         uint32_t object = ref_dyn_i_object(world, &hits[i]);
         bool seen = false;
-        for (size_t j = 0; !seen && j < count && !ref_dyn_i_is(world, object, REF_DYN_HOLLOW); ++j)
+        bool each = world->dynamic->one_mask || ref_dyn_i_is(world, object, REF_DYN_HOLLOW);
+        for (size_t j = 0; !seen && j < count && !each; ++j)
             seen = ref_dyn_i_object(world, &hits[j]) == object;
         if (!seen) {
             ref_i_hit kept = hits[count];
@@ -556,12 +567,83 @@ static inline const ref_dyn_i_cover *ref_dyn_i_nearest_open(const ref_dyn_scene 
     return best;
 }
 
-static inline void ref_dyn_i_fill_mask(const ref_dyn_scene *dynamic, ref_dyn_i_mask *mask, const ref_dyn_i_form *form,
+/* Of each cell from `first` on, `across` by `up` of them, the open pixel that is nearest to the cell's middle; of a row's
+ * the nearest along it, which matters where distances are counted in rings. The pixels come row by row. */
+static inline void ref_dyn_i_look_from_cells(const ref_dyn_scene *dynamic, const int first[2], int across, int up,
+                                             const ref_dyn_i_cover *open, size_t count, const ref_dyn_i_cover **seeds) {
+    for (int i = 0; i < across * up; ++i) {
+        long cell = dynamic->cell,
+             middle[2] = {2 * cell * (first[0] + i % across) + cell, 2 * cell * (first[1] + i / across) + cell};
+        long least = 0, least_across = 0; /* twice the places are integers */
+        const ref_dyn_i_cover *of_row = NULL;
+        seeds[i] = NULL;
+        for (size_t k = 0; k < count; ++k) {
+            long dx = labs(2L * open[k].x + 1 - middle[0]), dy = labs(2L * open[k].y + 1 - middle[1]);
+            if (!of_row || dx < least_across || (dx == least_across && open[k].depth < of_row->depth)) {
+                of_row = &open[k];
+                least_across = dx;
+            }
+            if (k + 1 < count && open[k + 1].y == open[k].y)
+                continue;
+            long far = least_across > dy ? least_across : dy;
+            long size = dynamic->growth == REF_DYN_RINGS ? far : least_across * least_across + dy * dy;
+            if (!seeds[i] || size < least || (size == least && of_row->depth < seeds[i]->depth)) {
+                seeds[i] = of_row;
+                least = size;
+            }
+            of_row = NULL;
+        }
+    }
+}
+
+/* The nearest open pixel to each of the mask's, or NULL: out of memory. */
+static inline const ref_dyn_i_cover **ref_dyn_i_find_nearest(const ref_dyn_scene *dynamic, const ref_dyn_i_mask *mask,
+                                                             const ref_dyn_i_cover *open, size_t count) {
+    int width = mask->x1 - mask->x0, height = mask->y1 - mask->y0, cell = dynamic->cell > 1 ? dynamic->cell : 1;
+    int first[2] = {mask->x0 / cell - 1, mask->y0 / cell - 1}, across = width / cell + 4, up = height / cell + 4;
+    const ref_dyn_i_cover **nearest = calloc((size_t)width * (size_t)height + 1, sizeof *nearest);
+    const ref_dyn_i_cover **seeds = calloc((size_t)across * (size_t)up, sizeof *seeds), *four[4];
+    if (nearest && seeds && cell > 1)
+        ref_dyn_i_look_from_cells(dynamic, first, across, up, open, count, seeds);
+    for (int i = 0; nearest && seeds && i < width * height; ++i) {
+        int x = mask->x0 + i % width, y = mask->y0 + i / width;
+        double distance;
+        nearest[i] = ref_dyn_i_nearest_open(dynamic, open, count, x, y, &distance);
+        if (cell == 1 || distance <= 0)
+            continue;
+        nearest[i] = NULL;
+        for (int k = 0; k < 4; ++k) { /* the cells whose middles are around: half a cell to each side */
+            int column = (int)floor((x + 0.5) / cell - 0.5) + k % 2, row = (int)floor((y + 0.5) / cell - 0.5) + k / 2;
+            int last[2] = {(dynamic->scene->width - 1) / cell, (dynamic->scene->height - 1) / cell};
+            column = column < 0 ? 0 : column > last[0] ? last[0] : column;
+            row = row < 0 ? 0 : row > last[1] ? last[1] : row;
+            four[k] = seeds[(row - first[1]) * across + column - first[0]];
+        }
+        for (int k = 0; k < 4; ++k) {
+            double other, own = 0;
+            if (nearest[i])
+                ref_dyn_i_nearest_open(dynamic, nearest[i], 1, x, y, &own);
+            ref_dyn_i_nearest_open(dynamic, four[k], 1, x, y, &other);
+            if (!nearest[i] || other < own || (other <= own && four[k]->depth < nearest[i]->depth))
+                nearest[i] = four[k];
+        }
+    }
+    free(seeds);
+    if (!seeds) {
+        free(nearest);
+        return NULL;
+    }
+    return nearest;
+}
+
+static inline bool ref_dyn_i_fill_mask(const ref_dyn_scene *dynamic, ref_dyn_i_mask *mask, const ref_dyn_i_form *form,
                                        const ref_dyn_i_cover *open, size_t count) {
-    for (int y = mask->y0; y < mask->y1; ++y)
+    const ref_dyn_i_cover **nearest = ref_dyn_i_find_nearest(dynamic, mask, open, count);
+    for (int y = mask->y0; nearest && y < mask->y1; ++y)
         for (int x = mask->x0; x < mask->x1; ++x) {
+            size_t i = (size_t)(y - mask->y0) * (size_t)(mask->x1 - mask->x0) + (size_t)(x - mask->x0);
             double distance, beyond, centre[2] = {x + 0.5, y + 0.5};
-            const ref_dyn_i_cover *seed = ref_dyn_i_nearest_open(dynamic, open, count, x, y, &distance);
+            const ref_dyn_i_cover *seed = ref_dyn_i_nearest_open(dynamic, nearest[i], 1, x, y, &distance);
             bool inside = distance <= 0;
             if (dynamic->shape == REF_DYN_OUTLINE) {
                 beyond = fmax(distance - 1, 0);
@@ -569,11 +651,12 @@ static inline void ref_dyn_i_fill_mask(const ref_dyn_scene *dynamic, ref_dyn_i_m
                 beyond = ref_dyn_i_beyond(form, dynamic->shape, centre);
                 inside = inside || beyond <= 0;
             }
-            size_t i = (size_t)(y - mask->y0) * (size_t)(mask->x1 - mask->x0) + (size_t)(x - mask->x0);
             ref_dyn_i_mask_pixel made = {inside ? dynamic->alpha_target : ref_dyn_gradient(dynamic, beyond),
-                                         seed->depth, seed->slack, distance <= 0};
+                                         seed->depth, seed->slack, distance <= 0, seed->object};
             mask->pixels[i] = made;
         }
+    free(nearest);
+    return nearest != NULL;
 }
 
 /* The rectangle that the mask may cover. */
@@ -618,8 +701,7 @@ static inline bool ref_dyn_i_make_mask(const ref_dyn_i_world *world, ref_dyn_i_m
         mask->pixels = calloc((size_t)(mask->x1 - mask->x0) * (size_t)(mask->y1 - mask->y0) + 1, sizeof *mask->pixels);
         ok = mask->pixels != NULL;
     }
-    if (ok)
-        ref_dyn_i_fill_mask(dynamic, mask, &form, open, count);
+    ok = ok && ref_dyn_i_fill_mask(dynamic, mask, &form, open, count);
     free(form.corners);
     free(points);
     return ok;
@@ -636,6 +718,31 @@ static inline int ref_dyn_i_compare_covers(const void *left, const void *right) 
     return p->x < q->x ? -1 : p->x > q->x;
 }
 
+static inline double ref_dyn_i_strength(const ref_dyn_object *target) {
+    return ref_i_clamp01(target->importance) * (1 - ref_i_clamp01(target->faded));
+}
+
+/* One mask of all targets: of each pixel's open ones the nearest. */
+static inline bool ref_dyn_i_make_one_mask(ref_dyn_i_world *world) {
+    const ref_dyn_i_cover *covers = world->covers.items;
+    size_t pixels = (size_t)world->dynamic->scene->width * (size_t)world->dynamic->scene->height, count = 0;
+    ref_dyn_i_cover *pool = calloc(pixels, sizeof *pool);
+    bool ok = pool != NULL;
+    for (size_t i = 0; ok && i < world->covers.count; ++i) { /* as they were noted: pixel by pixel */
+        const ref_dyn_i_cover *cover = &covers[i];
+        bool same = count && pool[count - 1].x == cover->x && pool[count - 1].y == cover->y;
+        if (!cover->open || ref_dyn_i_strength(&world->dynamic->objects[cover->object]) <= 0)
+            continue;
+        if (!same)
+            pool[count++] = *cover;
+        else if (cover->depth < pool[count - 1].depth)
+            pool[count - 1] = *cover;
+    }
+    ok = ok && (!count || ref_dyn_i_make_mask(world, &world->masks[world->mask_count++], pool, count));
+    free(pool);
+    return ok;
+}
+
 static inline bool ref_dyn_i_make_masks(ref_dyn_i_world *world) {
     ref_dyn_i_cover *covers = world->covers.items;
     size_t count = world->covers.count;
@@ -644,6 +751,8 @@ static inline bool ref_dyn_i_make_masks(ref_dyn_i_world *world) {
         return false;
     for (size_t i = 0; world->dynamic->open_behind_impenetrable && i < count; ++i)
         covers[i].open = true;
+    if (world->dynamic->one_mask)
+        return ref_dyn_i_make_one_mask(world);
     if (count)
         qsort(covers, count, sizeof *covers, ref_dyn_i_compare_covers);
     for (size_t i = 0, n; i < count; i += n) {
@@ -729,6 +838,48 @@ static inline size_t ref_dyn_i_compose(const ref_dyn_i_world *world, const ref_d
     return seen;
 }
 
+static inline void ref_dyn_i_add_layer(const ref_dyn_i_world *world, const ref_dyn_i_layer *layer, double weight,
+                                       double *weights, ref_dyn_pixel *out) {
+    for (int k = 0; k < 3; ++k)
+        out->color[k] += weight * (layer ? layer->color[k] : world->dynamic->scene->background[k]);
+    if (!layer)
+        out->background += weight;
+    if (layer && weights)
+        weights[layer->object] += weight;
+    if (layer && ref_dyn_i_is(world, layer->object, REF_DYN_TARGET))
+        out->targets_weight += weight;
+}
+
+/* Whether a layer yields to the one mask: before its depth, of a distractor, which matters less than the target. */
+static inline bool ref_dyn_i_yields_to_one(const ref_dyn_i_world *world, const ref_dyn_i_mask_pixel *at,
+                                           const ref_dyn_i_layer *layer) {
+    return !ref_dyn_i_closes(world, layer->object) && !ref_dyn_i_is(world, layer->object, REF_DYN_TARGET) &&
+           layer->depth < at->depth - (layer->slack + at->slack) &&
+           world->dynamic->objects[layer->object].importance < ref_dyn_i_strength(&world->dynamic->objects[at->object]);
+}
+
+/* The same under one mask for all targets: the front-most layer, over the front-most that does not yield. */
+static inline size_t ref_dyn_i_compose_one(const ref_dyn_i_world *world, int x, int y, const ref_dyn_i_layer *layers,
+                                           size_t count, double *weights, ref_dyn_pixel *out) {
+    const ref_dyn_i_mask_pixel *at = world->mask_count ? ref_dyn_i_mask_at(&world->masks[0], x, y) : NULL;
+    double through = 0;
+    size_t behind = 0;
+    memset(out, 0, sizeof *out);
+    while (at && behind < count && ref_dyn_i_yields_to_one(world, at, &layers[behind]))
+        ++behind;
+    if (behind > 0) {
+        const ref_dyn_object *target = &world->dynamic->objects[at->object];
+        double yields = ref_dyn_i_strength(target) - world->dynamic->objects[layers[0].object].importance;
+        through = (1 - at->value) * ref_i_clamp01(yields);
+        if (target->flags & REF_DYN_ACTIVE)
+            through *= ref_dyn_light_at(world->dynamic, x + 0.5, y + 0.5);
+    }
+    ref_dyn_i_add_layer(world, count ? &layers[0] : NULL, 1 - through, weights, out);
+    ref_dyn_i_add_layer(world, behind < count ? &layers[behind] : NULL, through, weights, out);
+    out->see_through = through > 0;
+    return through > 0 && behind < count ? behind + 1 : through > 0 ? count : count > 0;
+}
+
 static inline double ref_dyn_i_weight_of(const ref_dyn_i_layer *layers, size_t count, const double *alphas,
                                          uint32_t object) {
     double left = 1, weight = 0;
@@ -758,6 +909,7 @@ static inline void ref_dyn_i_count(const ref_dyn_i_world *world, const ref_dyn_i
         own->hidden += covers[i].hidden;
         own->closed += !covers[i].open;
         own->weight += weight;
+        own->clear += weight >= 0.3;
         own->least = covers[i].open ? fmin(own->least, weight) : own->least;
     }
 }
@@ -829,9 +981,10 @@ static inline bool ref_dyn_i_render_pixel(ref_dyn_i_world *world, int x, int y, 
     bool failed = false;
     for (size_t i = 0; i < count; ++i)
         alphas[i] = 1;
-    for (size_t i = 0; i < world->mask_count; ++i)
+    for (size_t i = 0; i < world->mask_count && !world->dynamic->one_mask; ++i)
         ref_dyn_i_apply_mask(world, &world->masks[i], x, y, layers, count, alphas, yields);
-    size_t seen = ref_dyn_i_compose(world, layers, count, alphas, weights, out);
+    size_t seen = world->dynamic->one_mask ? ref_dyn_i_compose_one(world, x, y, layers, count, weights, out)
+                                           : ref_dyn_i_compose(world, layers, count, alphas, weights, out);
     while (*next_cover < world->covers.count && covers[*next_cover].y == y && covers[*next_cover].x == x)
         ++*next_cover;
     ref_dyn_i_count(world, covers + covered, *next_cover - covered, layers, count, alphas, census, out);
