@@ -27,7 +27,8 @@ typedef struct smart_stage_row {
 typedef struct smart_stage {
     oit_setting set;
     oit_scene scene;
-    double radius; /* of the scene, for links */
+    double radius;  /* of the scene, for links */
+    float light[3]; /* as of oit_frame; zero: not shaded */
     GLuint reader, out;
     size_t room;                  /* fragments that can be read */
     smart_stage_row *rows;        /* of the last look, in the image's order */
@@ -368,6 +369,7 @@ static inline void smart_stage_begin(smart_stage *t, const size_t *order) {
     double truth[16];
     smart_stage_projection(t, frame.projection, truth);
     frame.zero_to_one = t->scene.reversed;
+    memcpy(frame.light, t->light, sizeof frame.light);
     oit_setting_clear(&t->set, &t->scene);
     oit_scene_expect(oit_begin(t->set.oit, &frame), "oit_begin");
     while (oit_next_pass(t->set.oit, &pass))
