@@ -93,8 +93,6 @@ static void walls(smart_stage *t, int two_sided, GLenum front, double kappa[2]) 
     oit_frame frame = oit_scene_frame(s, t->set.framebuffer);
     oit_pass pass;
     oit_operator op;
-    smart_stage_row *rows = malloc(t->room * sizeof *rows);
-    oit_report report;
     for (int k = 0; k < 16; ++k)
         frame.projection[k] = (float)s->scene.projection[k];
     oit_setting_clear(&t->set, s);
@@ -117,24 +115,12 @@ static void walls(smart_stage *t, int two_sided, GLenum front, double kappa[2]) 
     op.kind = OIT_RUN_CURVATURE;
     op.curvature.unit = 0.5f;
     oit_scene_expect(oit_run(t->set.oit, &op), "oit_run");
-    op.kind = OIT_RUN_HOST;
-    op.host.program = t->reader;
-    op.host.value = OIT_VALUE_HOST;
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, SMART_STAGE_BINDING, t->out);
-    oit_scene_expect(oit_run(t->set.oit, &op), "oit_run of the reader");
-    oit_scene_expect(oit_compose(t->set.oit), "oit_compose");
-    oit_scene_expect(oit_end(t->set.oit), "oit_end");
-    oit_scene_expect(oit_get_report(t->set.oit, &report), "oit_get_report");
-    assert_true(report.needed <= t->room);
-    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-    glBindBuffer(GL_SHADER_STORAGE_BUFFER, t->out);
-    glGetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, (GLsizeiptr)(report.needed * sizeof *rows), rows);
-    int found = 0;
-    for (uint32_t i = 0; i < report.needed && found < 2; ++i)
-        if (rows[i].pixel == SIZE / 2 * SIZE + SIZE / 2)
-            kappa[found++] = (double)rows[i].kappa;
-    assert_int_equal(found, 2);
-    free(rows);
+    ref_smart_image image = smart_stage_look(t);
+    free(smart_stage_end(t));
+    assert_int_equal(ref_smart_count(&image, SIZE / 2, SIZE / 2), 2);
+    for (size_t i = 0; i < 2; ++i)
+        kappa[i] = ref_smart_at(&image, SIZE / 2, SIZE / 2, i)->kappa;
+    smart_stage_drop(&image);
 }
 
 /* kappa1 + kappa2 of a cylinder is 1 / R, and its sign that of the side that normals are of: by the mesh both walls bend
