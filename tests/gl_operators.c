@@ -424,6 +424,41 @@ static void the_hosts_operators_do_as_they_say(void **state) {
     }
 }
 
+/* What is no number, or no opacity, does not get into the fields: 0, or the nearer end of [0,1]. */
+static void what_is_no_number_becomes_0(void **state) {
+    static const char once[] =
+        "void oit_operate(uint p)\n{\n    uint first, n = oit_list(p, first);\n"
+        "    float bad = uintBitsToFloat(p % 4u == 0u ? 0x7fc00000u : p % 4u == 1u ? 0xff800000u :\n"
+        "                                p % 4u == 2u ? 0xbf800000u : 0x7f000000u);\n"
+        "    for (uint i = 0u; i < n; ++i) {\n        oit_set_value(OIT_BASE, first + i, bad);\n"
+        "        oit_set_value(OIT_HOST, first + i, bad);\n    }\n}\n";
+    static const char again[] = "void oit_operate(uint p)\n{\n    uint first, n = oit_list(p, first);\n"
+                                "    for (uint i = 0u; i < n; ++i)\n        oit_set_after(first + i,\n"
+                                "            uintBitsToFloat(p % 2u == 0u ? 0x7fc00000u : 0x7f800000u));\n}\n";
+    static const double expected[4] = {0, 0, -1, 1.7014118346046923e38};
+    smart_stage t;
+    (void)state;
+    smart_stage_open_wide(&t, false, WIDTH, HEIGHT, smart_truth_desc, ROOM);
+    smart_truth_pipes(&t);
+    const oit_operator ops[2] = {host_of(smart_stage_program(t.set.oit, once), 0, OIT_VALUE_BASE),
+                                 host_of(smart_stage_program(t.set.oit, again), 2, OIT_VALUE_HOST + 1)};
+    ref_smart_image image;
+    float *picture = smart_stage_frame(&t, ops, 2, NULL, &image);
+    SMART_TRUTH_EACH(&image, x, y, i, f) {
+        const smart_stage_row *row = &t.rows[f - image.fragments];
+        int which = (y * WIDTH + x) % 4;
+        assert_true(f->base == (which == 3 ? 1 : 0));
+        assert_true((double)row->host[0] == expected[which] && row->host[1] == 0);
+    }
+    for (int k = 0; k < 4 * WIDTH * HEIGHT; ++k)
+        assert_true(picture[k] >= 0 && picture[k] <= 1);
+    free(picture);
+    smart_stage_drop(&image);
+    for (int i = 0; i < 2; ++i)
+        glDeleteProgram(ops[i].host.program);
+    smart_stage_close(&t);
+}
+
 /* ---- curvature ---- */
 
 static void curvature_is_that_of_the_truth(void **state) {
@@ -848,6 +883,7 @@ int main(void) {
         cmocka_unit_test(laws_are_those_of_the_truth),
         cmocka_unit_test(laws_keep_0_and_1),
         cmocka_unit_test(the_hosts_operators_do_as_they_say),
+        cmocka_unit_test(what_is_no_number_becomes_0),
         cmocka_unit_test(curvature_is_that_of_the_truth),
         cmocka_unit_test(curvature_is_that_of_closed_forms),
         cmocka_unit_test(transfer_functions_are_looked_up),
