@@ -346,11 +346,12 @@ static const char copy[] =
     "void oit_operate(uint p)\n{\n    uint first, n = oit_list(p, first);\n"
     "    for (uint i = 0u; i < n; ++i)\n"
     "        oit_set_value(OIT_HOST + 1u, first + i, 2.0 * oit_value(OIT_BASE, first + i));\n}\n";
-static const char law[] = "void oit_operate(uint p)\n{\n    uint first, n = oit_list(p, first);\n"
-                          "    for (uint i = 0u; i < n; ++i) {\n"
-                          "        vec3 at = oit_position(oit_device(p), oit_depth(first + i));\n"
-                          "        oit_set_value(OIT_BASE, first + i, 0.5 + 0.4 * sin(7.0 * at.x) * cos(5.0 * at.y));\n"
-                          "    }\n}\n";
+static const char host_law[] =
+    "void oit_operate(uint p)\n{\n    uint first, n = oit_list(p, first);\n"
+    "    for (uint i = 0u; i < n; ++i) {\n"
+    "        vec3 at = oit_position(oit_device(p), oit_depth(first + i));\n"
+    "        oit_set_value(OIT_BASE, first + i, 0.5 + 0.4 * sin(7.0 * at.x) * cos(5.0 * at.y));\n"
+    "    }\n}\n";
 static const char total[] = "layout(std430, binding = 6) buffer out_total { uint total[]; };\n"
                             "void oit_operate(uint p)\n{\n    uint first, n = oit_list(p, first);\n"
                             "    atomicAdd(total[0], n);\n    for (uint i = 0u; i < n; ++i)\n"
@@ -374,7 +375,7 @@ static void the_hosts_operators_do_as_they_say(void **state) {
         smart_stage t;
         smart_stage_open_wide(&t, es, WIDTH, HEIGHT, smart_truth_desc, ROOM);
         smart_truth_wavy(&t);
-        GLuint programs[4] = {smart_stage_program(t.set.oit, law), smart_stage_program(t.set.oit, diffusion),
+        GLuint programs[4] = {smart_stage_program(t.set.oit, host_law), smart_stage_program(t.set.oit, diffusion),
                               smart_stage_program(t.set.oit, copy), smart_stage_program(t.set.oit, total)};
         const oit_operator ops[] = {
             smart_truth_link(&t, OIT_LINK_DEPTH, OIT_SEARCH_WINDOWED), host_of(programs[0], 0, OIT_VALUE_BASE),
@@ -728,6 +729,27 @@ static void every_store_makes_the_picture_of_the_truth(void **state) {
     }
 }
 
+/* The three nearest of each pixel, the others in the tail: fields are those of what is kept. */
+static void a_budget_has_the_fields_of_what_it_keeps(void **state) {
+    (void)state;
+    for (int i = 0; i < 2; ++i) {
+        smart_stage t;
+        oit_desc desc = smart_truth_desc;
+        oit_operator law = smart_truth_law(OIT_LAW_ADAPTIVE, 0.4f), smart = smart_truth_smart(9, 0.08f);
+        oit_report report = {0};
+        desc.store = i ? OIT_STORE_BUCKETED : OIT_STORE_BUDGET;
+        desc.layers = 3;
+        smart_stage_open_wide(&t, false, WIDTH, HEIGHT, desc, ROOM);
+        smart_truth_wavy(&t);
+        smart_truth_errors e = smart_truth_frame(&t, &law.law, &smart.smart);
+        oit_scene_expect(oit_get_report(t.set.oit, &report), "oit_get_report");
+        assert_true(e.base <= 1e-4 && e.beta <= 1e-4 && e.gamma <= 1e-4 && e.fragments <= 3 * WIDTH * HEIGHT);
+        assert_true(report.lost > 1000 && isfinite(e.picture) &&
+                    e.picture > 1e-3); /* there is a tail, and it is seen */
+        smart_stage_close(&t);
+    }
+}
+
 /* Reversed depth with [0,1] clip depth; premultiplied colours and 10 bits of them. */
 static void conventions_make_the_picture_of_the_truth(void **state) {
     (void)state;
@@ -889,6 +911,7 @@ int main(void) {
         cmocka_unit_test(transfer_functions_are_looked_up),
         cmocka_unit_test(presets_are_as_they_are_described),
         cmocka_unit_test(every_store_makes_the_picture_of_the_truth),
+        cmocka_unit_test(a_budget_has_the_fields_of_what_it_keeps),
         cmocka_unit_test(conventions_make_the_picture_of_the_truth),
         cmocka_unit_test(who_sets_the_state_changes_no_bit),
         cmocka_unit_test(draw_order_changes_no_bit),

@@ -1585,6 +1585,17 @@ static void test_operators_refused(void **state) {
     expect_refusal(oit, (oit_operator){.kind = OIT_RUN_LAW, .law = {.s = 1.5f}}, OIT_INVALID_ARGUMENT, "above 1");
     expect_refusal(oit, (oit_operator){.kind = OIT_RUN_CURVATURE, .curvature = {.unit = -1}}, OIT_INVALID_ARGUMENT,
                    "negative");
+    float tables[OIT_TRANSFER_CURVATURES * OIT_TRANSFER_DEPTHS] = {0}; /* the last number of each is none */
+    tables[3 * OIT_TRANSFER_SHADES - 1] = tables[OIT_TRANSFER_CURVATURES * OIT_TRANSFER_DEPTHS - 1] =
+        bad_number - bad_number;
+    expect_refusal(oit, (oit_operator){.kind = OIT_RUN_CURVATURE, .curvature = {.shades = tables}},
+                   OIT_INVALID_ARGUMENT, "curvature.shades is not finite");
+    expect_refusal(oit, (oit_operator){.kind = OIT_RUN_CURVATURE, .curvature = {.opacities = tables}},
+                   OIT_INVALID_ARGUMENT, "curvature.opacities is not finite");
+    expect_refusal(oit, (oit_operator){.kind = OIT_RUN_CURVATURE, .curvature = {.last = bad_number}},
+                   OIT_INVALID_ARGUMENT, "curvature is not finite");
+    expect_refusal(oit, (oit_operator){.kind = OIT_RUN_CURVATURE, .curvature = {.shade = (oit_shade)3}},
+                   OIT_INVALID_ARGUMENT, "none of its enumerators");
     op.kind = OIT_RUN_SMART;
     op.smart.beta.process = OIT_PROCESS_DIFFUSION;
     expect_refusal(oit, op, OIT_INVALID_ARGUMENT, "OIT_OPERATE_DIFFUSION");
