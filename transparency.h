@@ -8941,6 +8941,12 @@ static void tr_i_plan_boxes(const tr_i_sequence *seq, tr_see_plan *plan) {
     plan->covered = (float)(area / ((double)seq->wanted[0] * (double)seq->wanted[1]));
 }
 
+/* Of what the textures of masks are: desc.eight_bits, or what the context has turned out to draw into. */
+static const char *tr_i_seq_why(const tr_i_sequence *seq) {
+    return seq->eight_bits ? "something that yields lies before a target; masks of 8 bits"
+                           : "something that yields lies before a target; masks of floats";
+}
+
 /* The plan of the cheaper rungs gives way. */
 static void tr_i_plan_sequence(tr_context *tr, const tr_dynamic *dynamic) {
     const tr_i_sequence *seq = &tr->seq;
@@ -8955,8 +8961,7 @@ static void tr_i_plan_sequence(tr_context *tr, const tr_dynamic *dynamic) {
         return;
     }
     plan->see = dynamic->see;
-    plan->why = seq->eight_bits ? "something that yields lies before a target; masks of 8 bits"
-                                : "something that yields lies before a target; masks of floats";
+    plan->why = tr_i_seq_why(seq);
     plan->layers = seq->exact ? (uint32_t)seq->peeled : 0;
     plan->layer_bound = seq->exact ? (uint32_t)seq->layer_bound : 0;
     tr_i_plan_boxes(seq, plan);
@@ -8986,6 +8991,8 @@ static tr_result tr_i_arrange_sequence(tr_context *tr, const tr_frame *frame, co
     size[0] = frame->width;
     size[1] = frame->height;
     tr_i_take_wishes(tr, dynamic);
+    if (tr->desc.eight_bits)
+        seq->eight_bits = 1;
     if (!tr_i_order_units(tr, seq, dynamic))
         return tr_i_fail(&tr->desc, TR_OUT_OF_MEMORY, "dynamic.units");
     if (seq->exact) {
@@ -9034,8 +9041,9 @@ static tr_result tr_i_begin_sequence(tr_context *tr, const tr_frame *frame, cons
         tr_i_save(tr, &tr->saved);
         result = tr_i_seq_work(tr);
         tr_i_restore(tr, &tr->saved);
-        tr->see.plan.bytes =
-            tr_i_seq_bytes(seq, tr_i_seq_needs(seq), seq->wanted); /* floats may have turned out not to be had */
+        /* Floats may have turned out not to be had. */
+        tr->see.plan.bytes = tr_i_seq_bytes(seq, tr_i_seq_needs(seq), seq->wanted);
+        tr->see.plan.why = tr_i_seq_why(seq);
     }
     if (result == TR_OK)
         tr_i_upload_blocks(tr);

@@ -789,6 +789,35 @@ static void failures_of_sequences_leave_nothing(void **state) {
         }
 }
 
+/* Masks of bytes where the driver refuses floats or the host wants none: in the first frame already the plan says so, and
+ * counts them. */
+static void bytes_where_floats_are_not_had(void **state) {
+    (void)state;
+    for (int see = TR_SEE_EXACT; see <= TR_SEE_PUBLISHED; ++see) {
+        uint64_t bytes[3];
+        for (int how = 0; how < 3; ++how) {
+            tr_context *tr = open_context(TR_STATE_RESTORE, NULL);
+            setting s = make_setting();
+            s.dynamic.see = (tr_see)see;
+            if (how == 2) {
+                tr_desc desc = desc_of_tests;
+                tr_destroy(tr);
+                desc.eight_bits = 1;
+                tr = tr_create(&desc, NULL);
+            }
+            driver.fail_framebuffer = how == 1 ? 2 : 0; /* the first of ours */
+            run_dynamic(tr, &s);
+            driver.fail_framebuffer = 0;
+            assert_int_equal(seen(tr), see);
+            assert_true((strstr(tr_get_info(tr).see_plan->why, "8 bits") != NULL) == (how > 0));
+            bytes[how] = tr_get_info(tr).see_plan->bytes;
+            tr_destroy(tr);
+            assert_nothing_left();
+        }
+        assert_true(bytes[1] < bytes[0] && bytes[2] == bytes[1]);
+    }
+}
+
 /* The context is lost at each call in turn: no crash, no endless loop, nothing of ours on the heap afterwards. */
 static void contexts_may_be_lost_anywhere(void **state) {
     (void)state;
@@ -968,6 +997,7 @@ int main(void) {
         cmocka_unit_test(rungs_say_what_they_cannot),
         cmocka_unit_test(failures_leave_nothing),
         cmocka_unit_test(failures_of_sequences_leave_nothing),
+        cmocka_unit_test(bytes_where_floats_are_not_had),
         cmocka_unit_test(contexts_may_be_lost_anywhere),
         cmocka_unit_test(no_state_calls_where_the_host_makes_them),
         cmocka_unit_test(the_scene_is_the_hosts),
