@@ -796,15 +796,13 @@ static void bytes_where_floats_are_not_had(void **state) {
     for (int see = TR_SEE_EXACT; see <= TR_SEE_PUBLISHED; ++see) {
         uint64_t bytes[3];
         for (int how = 0; how < 3; ++how) {
-            tr_context *tr = open_context(TR_STATE_RESTORE, NULL);
+            tr_desc desc = make_desc(TR_STATE_RESTORE);
             setting s = make_setting();
             s.dynamic.see = (tr_see)see;
-            if (how == 2) {
-                tr_desc desc = desc_of_tests;
-                tr_destroy(tr);
-                desc.eight_bits = 1;
-                tr = tr_create(&desc, NULL);
-            }
+            desc.eight_bits = how == 2;
+            reset_driver();
+            tr_context *tr = tr_create(&desc, NULL);
+            assert_non_null(tr);
             driver.fail_framebuffer = how == 1 ? 2 : 0; /* the first of ours */
             run_dynamic(tr, &s);
             driver.fail_framebuffer = 0;
