@@ -16,7 +16,8 @@ typedef struct stage_unit {
     GLuint array, buffers[2];
 } stage_unit;
 
-typedef struct stage {
+typedef struct stage stage;
+struct stage {
     stage_unit units[STAGE_MOST];
     ref_object meshes[STAGE_MOST];
     ref_dyn_object marks[STAGE_MOST];
@@ -33,8 +34,9 @@ typedef struct stage {
     ref_dyn_pixel *pixels;
     double *weights;
     unsigned char *picture;
-    bool srgb; /* the target encodes what is drawn: colours are light */
-} stage;
+    void (*spoil)(stage *s); /* NULL, or what is done to what the header is told */
+    bool srgb;               /* the target encodes what is drawn: colours are light */
+};
 
 /* ---- numbers ---- */
 
@@ -217,6 +219,8 @@ static inline void stage_tell(stage *s) {
         wish->view[k] = (float)s->scene.view[k];
         wish->projection[k] = (float)s->scene.projection[k];
     }
+    if (s->spoil)
+        s->spoil(s);
 }
 
 /* ---- drawing ---- */
