@@ -196,7 +196,9 @@
    - The variant: tr_glsl(tr, stage, rule) before your shaders, tr_see_through(color, code) last in main, then write color to
      location 0; tr_prepare_program() once. code is tr_unit_code() of the unit, a uniform, an attribute of instances or a
      texel. Where TR_WANTS_COLOR is 0 shading may be skipped. Shaders that discard (leaves) do so before the call. Outputs
-     beyond location 0 go nowhere but in TR_PASS_SCENE: attachments of a G-buffer are drawn as ever, and left alone.
+     beyond location 0 go nowhere but in TR_PASS_SCENE: attachments of a G-buffer are drawn as ever, and left alone. In
+     TR_RULE_SEE_PEEL location 1 is ours: leave yours out. Sequences paint what meets masks after TR_PASS_SCENE, into the
+     first draw buffer alone: other attachments lack those units.
    - What to call what: units that must be seen are targets, all else is a distractor but for the ground and the sky, which
      are backdrops (a distractor ground would be cut open along the lower edge of each target), and what shall never be
      seen through, which is impenetrable. Hills are distractors, or impenetrable.

@@ -847,31 +847,46 @@ static unsigned char *second_attachment(harness *h, dynamic_scene *d, tr_see see
     return out;
 }
 
-/* One mask leaves other attachments as plain drawing does; dithering writes in each pixel what the first one shows. */
+/* One mask and the exact rung leave other attachments as plain drawing does; dithering writes in each pixel what the first
+ * one shows. Sequences paint units that meet masks into the first one alone: others have each unit whole, or not at all. */
 static void other_attachments_are_the_hosts(void **state) {
+    enum { SEES = 6, PIXELS = 200 * 160 };
+    static const tr_see sees[SEES] = {TR_SEE_OFF,    TR_SEE_ONE_MASK, TR_SEE_EXACT,
+                                      TR_SEE_DITHER, TR_SEE_SEQUENCE, TR_SEE_PUBLISHED};
     harness h;
     dynamic_scene d;
-    unsigned char *pictures[3], *normals[3];
-    static const tr_see sees[3] = {TR_SEE_OFF, TR_SEE_ONE_MASK, TR_SEE_DITHER};
+    unsigned char *pictures[SEES], *normals[SEES];
     (void)state;
     harness_open(&h, 450, false, NULL);
     harness_target(&h, 200, 160);
     dynamic_open(&d, &h, dynamic_random_field(9, 24, 3, true));
     dynamic_shade(&d, true);
     dynamic_look(&d, RANDOM_EYE, ORIGIN, 45, 200, 160);
-    for (int i = 0; i < 3; ++i)
+    for (int i = 0; i < SEES; ++i)
         normals[i] = second_attachment(&h, &d, sees[i], &pictures[i]);
-    assert_memory_equal(normals[0], normals[1], 4 * 200 * 160);
-    size_t holes = 0;
-    for (size_t i = 0; i < 200 * 160; ++i) { /* alpha of the second is the unit's number: its colour is in the first */
-        unsigned id = normals[2][4 * i + 3];
-        holes += memcmp(&normals[0][4 * i], &normals[2][4 * i], 4) != 0;
+    assert_memory_equal(normals[0], normals[1], 4 * PIXELS);
+    assert_memory_equal(normals[0], normals[2], 4 * PIXELS);
+    size_t holes = 0, painted[2] = {0, 0};
+    for (size_t i = 0; i < PIXELS; ++i) { /* alpha of the second is the unit's number: its colour is in the first */
+        unsigned id = normals[3][4 * i + 3];
+        holes += memcmp(&normals[0][4 * i], &normals[3][4 * i], 4) != 0;
         for (size_t c = 0; c < 3 && id > 0 && id <= d.count; ++c)
-            assert_true(abs((int)lrintf(255 * d.field->scene->parts[id - 1].color[c]) - pictures[2][4 * i + c]) <= 1);
+            assert_true(abs((int)lrintf(255 * d.field->scene->parts[id - 1].color[c]) - pictures[3][4 * i + c]) <= 1);
     }
-    printf("    %zu pixels of the second attachment show what is behind\n", holes);
-    assert_true(holes > 200);
-    for (int i = 0; i < 3; ++i) {
+    for (int k = 0; k < 2; ++k) {
+        bool there[256] = {false};
+        for (size_t i = 0; i < PIXELS; ++i)
+            there[normals[4 + k][4 * i + 3]] = true;
+        for (size_t i = 0; i < PIXELS; ++i) {
+            bool same = memcmp(&normals[0][4 * i], &normals[4 + k][4 * i], 4) == 0;
+            painted[k] += !same;
+            assert_true(same || !there[normals[0][4 * i + 3]]);
+        }
+    }
+    printf("    %zu pixels of the second attachment show what is behind; %zu and %zu lack what sequences paint\n",
+           holes, painted[0], painted[1]);
+    assert_true(holes > 200 && painted[0] > 200 && painted[1] > 200);
+    for (int i = 0; i < SEES; ++i) {
         free(pictures[i]);
         free(normals[i]);
     }
