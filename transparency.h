@@ -610,7 +610,7 @@ enum {
 
 /* One a host's object, in a plain array or at the start of larger structs; read by tr_begin_dynamic, not kept. */
 typedef struct tr_unit {
-    uint32_t id;             /* stable, at most 65535; targets: from 1, unique among them */
+    uint32_t id;             /* stable, at most 65535; targets: from 1, unique among them; TR_SEE_EXACT: among all */
     uint32_t flags;          /* TR_UNIT_*; 0: a distractor */
     float center[3], radius; /* bounding sphere in the world. Not finite, or radius < 0: no bounds, the whole viewport;
                                 radius 0: a point. Where middles give the order, a centre that is not finite is the
@@ -715,7 +715,8 @@ typedef struct tr_see_plan {
    state. Before it the state is what desc.state says of the end of a frame, but for our texture units and uniform buffer.
    Where no target may be hidden, or nothing that yields may lie before one, this is the only pass and no GL call is made.
    With TR_RULE_SEE_PLAIN the host's program is as it always was; tr_set_material puts the built-in one to use.
-   A host that draws instances in batches may draw more than pass.units: shaders know by the code what is not wanted.
+   With TR_SEE_ONE_MASK and TR_SEE_DITHER a host that draws instances in batches may draw more than pass.units: shaders know
+   by the code what is not wanted. With the other rungs it draws these alone, with the sequences in their order.
    On an error no pass comes, TR_PASS_SCENE neither: the host draws its scene as it does without this header.
    TR_INVALID_ARGUMENT: matrices or numbers that are not finite, values out of range, an id out of range or of two
    targets; lights or units that are NULL; what the rung cannot do (see docs/dynamic.md). */
