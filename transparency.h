@@ -196,7 +196,9 @@
    - The variant: tr_glsl(tr, stage, rule) before your shaders, tr_see_through(color, code) last in main, then write color to
      location 0; tr_prepare_program() once. code is tr_unit_code() of the unit, a uniform, an attribute of instances or a
      texel. Where TR_WANTS_COLOR is 0 shading may be skipped. Shaders that discard (leaves) do so before the call. Outputs
-     beyond location 0 go nowhere but in TR_PASS_SCENE: attachments of a G-buffer are drawn as ever, and left alone.
+     beyond location 0 go nowhere but in TR_PASS_SCENE: attachments of a G-buffer are drawn as ever, and left alone. In
+     TR_RULE_SEE_PEEL location 1 is ours: leave yours out. Sequences paint what meets masks after TR_PASS_SCENE, into the
+     first draw buffer alone: other attachments lack those units.
    - What to call what: units that must be seen are targets, all else is a distractor but for the ground and the sky, which
      are backdrops (a distractor ground would be cut open along the lower edge of each target), and what shall never be
      seen through, which is impenetrable. Hills are distractors, or impenetrable.
@@ -608,7 +610,7 @@ enum {
 
 /* One a host's object, in a plain array or at the start of larger structs; read by tr_begin_dynamic, not kept. */
 typedef struct tr_unit {
-    uint32_t id;             /* stable, at most 65535; targets: from 1, unique among them */
+    uint32_t id;             /* stable, at most 65535; targets: from 1, unique among them; TR_SEE_EXACT: among all */
     uint32_t flags;          /* TR_UNIT_*; 0: a distractor */
     float center[3], radius; /* bounding sphere in the world. Not finite, or radius < 0: no bounds, the whole viewport;
                                 radius 0: a point. Where middles give the order, a centre that is not finite is the
@@ -713,7 +715,8 @@ typedef struct tr_see_plan {
    state. Before it the state is what desc.state says of the end of a frame, but for our texture units and uniform buffer.
    Where no target may be hidden, or nothing that yields may lie before one, this is the only pass and no GL call is made.
    With TR_RULE_SEE_PLAIN the host's program is as it always was; tr_set_material puts the built-in one to use.
-   A host that draws instances in batches may draw more than pass.units: shaders know by the code what is not wanted.
+   With TR_SEE_ONE_MASK and TR_SEE_DITHER a host that draws instances in batches may draw more than pass.units: shaders know
+   by the code what is not wanted. With the other rungs it draws these alone, with the sequences in their order.
    On an error no pass comes, TR_PASS_SCENE neither: the host draws its scene as it does without this header.
    TR_INVALID_ARGUMENT: matrices or numbers that are not finite, values out of range, an id out of range or of two
    targets; lights or units that are NULL; what the rung cannot do (see docs/dynamic.md). */
@@ -8941,6 +8944,12 @@ static void tr_i_plan_boxes(const tr_i_sequence *seq, tr_see_plan *plan) {
     plan->covered = (float)(area / ((double)seq->wanted[0] * (double)seq->wanted[1]));
 }
 
+/* Of what the textures of masks are: desc.eight_bits, or what the context has turned out to draw into. */
+static const char *tr_i_seq_why(const tr_i_sequence *seq) {
+    return seq->eight_bits ? "something that yields lies before a target; masks of 8 bits"
+                           : "something that yields lies before a target; masks of floats";
+}
+
 /* The plan of the cheaper rungs gives way. */
 static void tr_i_plan_sequence(tr_context *tr, const tr_dynamic *dynamic) {
     const tr_i_sequence *seq = &tr->seq;
@@ -8955,8 +8964,7 @@ static void tr_i_plan_sequence(tr_context *tr, const tr_dynamic *dynamic) {
         return;
     }
     plan->see = dynamic->see;
-    plan->why = seq->eight_bits ? "something that yields lies before a target; masks of 8 bits"
-                                : "something that yields lies before a target; masks of floats";
+    plan->why = tr_i_seq_why(seq);
     plan->layers = seq->exact ? (uint32_t)seq->peeled : 0;
     plan->layer_bound = seq->exact ? (uint32_t)seq->layer_bound : 0;
     tr_i_plan_boxes(seq, plan);
@@ -8986,6 +8994,8 @@ static tr_result tr_i_arrange_sequence(tr_context *tr, const tr_frame *frame, co
     size[0] = frame->width;
     size[1] = frame->height;
     tr_i_take_wishes(tr, dynamic);
+    if (tr->desc.eight_bits)
+        seq->eight_bits = 1;
     if (!tr_i_order_units(tr, seq, dynamic))
         return tr_i_fail(&tr->desc, TR_OUT_OF_MEMORY, "dynamic.units");
     if (seq->exact) {
@@ -9034,8 +9044,9 @@ static tr_result tr_i_begin_sequence(tr_context *tr, const tr_frame *frame, cons
         tr_i_save(tr, &tr->saved);
         result = tr_i_seq_work(tr);
         tr_i_restore(tr, &tr->saved);
-        tr->see.plan.bytes =
-            tr_i_seq_bytes(seq, tr_i_seq_needs(seq), seq->wanted); /* floats may have turned out not to be had */
+        /* Floats may have turned out not to be had. */
+        tr->see.plan.bytes = tr_i_seq_bytes(seq, tr_i_seq_needs(seq), seq->wanted);
+        tr->see.plan.why = tr_i_seq_why(seq);
     }
     if (result == TR_OK)
         tr_i_upload_blocks(tr);

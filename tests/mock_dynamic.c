@@ -653,34 +653,51 @@ static void odd_units_are_drawn(void **state) {
         }
 }
 
+/* Targets that passes ask for, of many units. */
+static size_t count_targets(tr_context *tr, setting *s, tr_see see) {
+    tr_pass pass;
+    size_t targets = 0;
+    s->dynamic.see = see;
+    assert_int_equal(tr_begin_dynamic(tr, &s->frame, &s->dynamic), TR_OK);
+    while (driver.call_count = 0, tr_next_pass(tr, &pass)) /* there are more calls than the driver keeps */
+        targets += pass.kind == TR_PASS_TARGETS || pass.kind == TR_PASS_SEEDS ? pass.unit_count : 0;
+    assert_int_equal(tr_end(tr), TR_OK);
+    return targets;
+}
+
+/* A thousand of them targets; in sequences, which have passes for each run of masks and each batch before them, twenty, and
+ * most of the others are behind all. The exact rung tells units apart by ids of 16 bits and refuses so many. */
 static void hundred_thousand_units(void **state) {
     enum { COUNT = 100000 };
     tr_unit *many = calloc(COUNT, sizeof *many);
-    tr_context *tr = open_context(TR_STATE_RESTORE, NULL);
-    setting s = make_setting();
-    tr_pass pass;
-    size_t targets = 0;
     (void)state;
-    for (int i = 0; i < COUNT; ++i) {
-        bool target = i % 100 == 0;
-        many[i] = s.units[target ? TARGET : TREE];
-        many[i].id = target ? (uint32_t)i / 100 + 1 : 0;
-        many[i].center[0] = (float)(i % 251) * 0.1f - 12.5f;
-        many[i].center[1] = (float)(i % 173) * 0.1f - 8.6f;
-        many[i].center[2] -= (float)(i % 7);
-        if (i % 1000 == 1) /* everywhere */
-            many[i].radius = one_nan();
+    for (int see = TR_SEE_ONE_MASK; see <= TR_SEE_PUBLISHED; ++see) {
+        tr_context *tr = open_context(TR_STATE_RESTORE, NULL);
+        setting s = make_setting();
+        int step = see <= TR_SEE_DITHER ? 100 : 5000;
+        for (int i = 0; i < COUNT; ++i) {
+            many[i] = s.units[i % step == 0 ? TARGET : TREE];
+            many[i].id = i % step == 0 ? (uint32_t)(i / step) + 1 : 0;
+            many[i].center[0] = (float)(i % 251) * 0.1f - 12.5f;
+            many[i].center[1] = (float)(i % 173) * 0.1f - 8.6f;
+            many[i].center[2] -= (float)(i % 7) + (step > 100 && i % step > 20 ? 200.0f : 0.0f);
+            if (i % (10 * step) == 1) /* everywhere */
+                many[i].radius = one_nan();
+        }
+        s.dynamic.units = many;
+        s.dynamic.unit_count = COUNT;
+        s.dynamic.see = (tr_see)see;
+        if (see == TR_SEE_EXACT) {
+            assert_int_equal(tr_begin_dynamic(tr, &s.frame, &s.dynamic), TR_INVALID_ARGUMENT);
+            assert_non_null(strstr(driver.text, "id"));
+        } else {
+            size_t targets = count_targets(tr, &s, (tr_see)see);
+            assert_true(targets > (size_t)(COUNT / step / 10) && targets <= (size_t)(COUNT / step));
+        }
+        tr_destroy(tr);
+        assert_nothing_left();
     }
-    s.dynamic.units = many;
-    s.dynamic.unit_count = COUNT;
-    assert_int_equal(tr_begin_dynamic(tr, &s.frame, &s.dynamic), TR_OK);
-    while (tr_next_pass(tr, &pass))
-        targets += pass.kind == TR_PASS_TARGETS ? pass.unit_count : 0;
-    assert_int_equal(tr_end(tr), TR_OK);
-    assert_true(targets > 100 && targets <= 1000);
-    tr_destroy(tr);
     free(many);
-    assert_nothing_left();
 }
 
 /* What a rung cannot do it refuses by name. */
@@ -787,6 +804,33 @@ static void failures_of_sequences_leave_nothing(void **state) {
                 assert_nothing_left();
             }
         }
+}
+
+/* Masks of bytes where the driver refuses floats or the host wants none: in the first frame already the plan says so, and
+ * counts them. */
+static void bytes_where_floats_are_not_had(void **state) {
+    (void)state;
+    for (int see = TR_SEE_EXACT; see <= TR_SEE_PUBLISHED; ++see) {
+        uint64_t bytes[3];
+        for (int how = 0; how < 3; ++how) {
+            tr_desc desc = make_desc(TR_STATE_RESTORE);
+            setting s = make_setting();
+            s.dynamic.see = (tr_see)see;
+            desc.eight_bits = how == 2;
+            reset_driver();
+            tr_context *tr = tr_create(&desc, NULL);
+            assert_non_null(tr);
+            driver.fail_framebuffer = how == 1 ? 2 : 0; /* the first of ours */
+            run_dynamic(tr, &s);
+            driver.fail_framebuffer = 0;
+            assert_int_equal(seen(tr), see);
+            assert_true((strstr(tr_get_info(tr).see_plan->why, "8 bits") != NULL) == (how > 0));
+            bytes[how] = tr_get_info(tr).see_plan->bytes;
+            tr_destroy(tr);
+            assert_nothing_left();
+        }
+        assert_true(bytes[1] < bytes[0] && bytes[2] == bytes[1]);
+    }
 }
 
 /* The context is lost at each call in turn: no crash, no endless loop, nothing of ours on the heap afterwards. */
@@ -968,6 +1012,7 @@ int main(void) {
         cmocka_unit_test(rungs_say_what_they_cannot),
         cmocka_unit_test(failures_leave_nothing),
         cmocka_unit_test(failures_of_sequences_leave_nothing),
+        cmocka_unit_test(bytes_where_floats_are_not_had),
         cmocka_unit_test(contexts_may_be_lost_anywhere),
         cmocka_unit_test(no_state_calls_where_the_host_makes_them),
         cmocka_unit_test(the_scene_is_the_hosts),
