@@ -107,7 +107,8 @@ static void add_marks(mesh_on_screen *m, uint32_t part, const mesh_fragment *fra
 }
 
 /* How near fragments are to a place on a line that begins these sides: any, and marked ones. */
-static double nearest_to(mesh_on_screen *m, size_t first, mesh_spot place, const mesh_fragment *fragments, double *any) {
+static double nearest_to(mesh_on_screen *m, size_t first, mesh_spot place, const mesh_fragment *fragments,
+                         double *any) {
     double marked = *any = INFINITY;
     mesh_begin_walk(m);
     for (size_t i = first; i < mesh_after_side(m, first); ++i)
@@ -244,9 +245,9 @@ static bool judge(smart_stage *t, const char *name) {
         share[0][k] = (double)s.right[k] / (double)s.marked;
         share[1][k] = (double)s.found[k] / (double)(s.places - s.left_out);
     }
-    printf("    %-16s %6zu marks of %7zu: %.4f %.4f %.4f %.4f   %6zu places: %.4f %.4f %.4f %.4f   %5.2f %% out\n", name,
-           s.marked, s.fragments, share[0][0], share[0][1], share[0][2], share[0][3], s.places, share[1][0], share[1][1],
-           share[1][2], share[1][3], 100 * out);
+    printf("    %-16s %6zu marks of %7zu: %.4f %.4f %.4f %.4f   %6zu places: %.4f %.4f %.4f %.4f   %5.2f %% out\n",
+           name, s.marked, s.fragments, share[0][0], share[0][1], share[0][2], share[0][3], s.places, share[1][0],
+           share[1][1], share[1][2], share[1][3], 100 * out);
     return share[0][1] >= 0.98 && share[1][1] >= 0.98 && out <= 0.1;
 }
 
@@ -260,9 +261,9 @@ static void add_ring(smart_stage *t) {
 }
 
 static void add_ball(smart_stage *t) {
-    const double color[4] = {0.5, 0.5, 0.5, 0.3}, numbers[4] = {0, 0, 0, 1};
+    const double color[4] = {0.5, 0.5, 0.5, 0.3}, middle[3] = {0, 0, 0};
     oit_scene_camera(smart_stage_clear(t), 3.2, 1, 6, 0.36);
-    smart_stage_sheet(&t->scene, smart_stage_ball, numbers, 128, color);
+    oit_scene_ball(&t->scene, middle, 1, 96, 192, color);
     t->radius = 1;
 }
 

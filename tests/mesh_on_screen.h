@@ -81,7 +81,8 @@ static inline size_t mesh_first_side(const mesh_on_screen *m, mesh_side wanted) 
 
 static inline size_t mesh_after_side(const mesh_on_screen *m, size_t first) {
     size_t end = first;
-    while (end < m->side_count && m->sides[end].low == m->sides[first].low && m->sides[end].high == m->sides[first].high)
+    while (end < m->side_count && m->sides[end].low == m->sides[first].low &&
+           m->sides[end].high == m->sides[first].high)
         ++end;
     return end;
 }

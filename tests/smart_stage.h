@@ -182,9 +182,9 @@ static inline void smart_stage_color(uint32_t *state, double alpha, double out[4
     out[3] = alpha;
 }
 
-/* numbers: radius of the ring, and of its tube; its axis is z. */
+/* numbers: radius of the ring, and of its tube; its axis is z. Ends meet beginnings to the bit. */
 static inline void smart_stage_ring(double u, double v, const double *n, double out[3]) {
-    double turn = 6.28318530717958648 * u, tilt = 6.28318530717958648 * v;
+    double turn = 6.28318530717958648 * (u >= 1 ? u - 1 : u), tilt = 6.28318530717958648 * (v >= 1 ? v - 1 : v);
     out[0] = (n[0] + n[1] * cos(tilt)) * cos(turn);
     out[1] = (n[0] + n[1] * cos(tilt)) * sin(turn);
     out[2] = n[1] * sin(tilt);
