@@ -69,17 +69,15 @@ bool oit_may_join(oit_side side, uint at)
     return OIT_WORD(at, OIT_AT_PART) == side.part && oit_record_blend(at) == 0u;
 }
 
-// A surface whose slope grows or falls steadily from the one to the other is found between what the two slopes say; the
-// limit is for how far it is from both. So a surface holds together where it is seen at a grazing angle, and of two that
-// lie one behind the other, which slope alike, the gap counts in full.
+// Within the limit of what its slope predicts, or where a surface is found whose slope changes steadily from the one's to
+// the other's: between what the two slopes say. So a surface holds together where it is seen at a grazing angle, and
+// beyond the limit nothing is glued to what lies behind it and slopes alike.
 bool oit_is_continuous(oit_side side, uint at, float apart)
 {
     if (apart <= OIT_LIMIT_APART)
         return true;
-    float depth = oit_record_window_depth(at), ahead = oit_ahead(at, side.direction), rise = depth - side.depth;
-    if ((rise > side.ahead) != (rise > ahead))
-        return true;
-    return abs(oit_distance(depth - ahead) - oit_distance(side.depth)) * OIT_PER_RADIUS <= OIT_LIMIT_APART;
+    float rise = oit_record_window_depth(at) - side.depth;
+    return (rise > side.ahead) != (rise > oit_ahead(at, side.direction));
 }
 
 float oit_measure_by_depth(oit_side side, uint at, float apart)

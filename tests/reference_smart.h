@@ -12,7 +12,7 @@
  *  - Equation 1 predicts a depth that is linear in the window: that is exact for planes in window depth, also under
  *    perspective. Predicted and found depth are compared as distances along the view, in units of the radius.
  *  - The continuity limit is one of depth (or of parameters): a pair farther apart than that is no candidate at all.
- *    Farther than what both slopes allow between them: see ref_smart_is_continuous.
+ *    Except for what lies between the predictions of both slopes: see ref_smart_is_continuous.
  *  - A direction that leaves the image has no link, and nothing is missing there: the frame of a picture is no silhouette.
  *  - Layer indices count surface fragments. A neighbour's index is greater for one of three reasons: a surface begins
  *    between the two pixels, one ends, or two that are linked swap order. The last is left out of the difference.
@@ -124,17 +124,13 @@ static inline double ref_smart_error(const ref_smart_links *links, const ref_sma
            links->radius;
 }
 
-/* The same either way round. By the mean value theorem a depth whose slope goes steadily from that of i to that of j
- * changes by no less than the one and no more than the other. Only what neither this nor one of the slopes alone explains
- * is held to the limit. */
+/* Within the limit of what i predicts. Or, by the mean value theorem, where a surface may be whose slope goes steadily
+ * from that of i to that of j: its depth rises by no less than the one says and by no more than the other. */
 static inline bool ref_smart_is_continuous(const ref_smart_links *links, const ref_smart_fragment *i,
                                            const ref_smart_fragment *j, int direction) {
-    double rise = j->depth - i->depth;
-    double ends[2] = {ref_smart_ahead(i, direction), ref_smart_ahead(j, direction)};
-    if (fmin(ends[0], ends[1]) <= rise && rise <= fmax(ends[0], ends[1]))
-        return true;
+    double rise = j->depth - i->depth, own = ref_smart_ahead(i, direction), other = ref_smart_ahead(j, direction);
     return ref_smart_error(links, i, j, direction) <= links->limit ||
-           ref_smart_error(links, j, i, direction ^ 1) <= links->limit;
+           (fmin(own, other) <= rise && rise <= fmax(own, other));
 }
 
 /* Equations 1 to 3, or what stands in for them; infinite for what cannot be joined. */
