@@ -10,7 +10,7 @@
 
 #include "load_model.h"
 
-enum { SIZE = 256, MOST = 1 << 18, VIEWS = 12, STEPS = 4 };
+enum { SIZE = 192, MOST = 1 << 18, VIEWS = 12, STEPS = 4 };
 
 static const double within[STEPS] = {0.5, 1, 1.5, MESH_FAR};
 
@@ -102,7 +102,7 @@ static void add_marks(mesh_on_screen *m, uint32_t part, const mesh_fragment *fra
         mesh_begin_walk(m);
         if (f->triangle != UINT32_MAX)
             mesh_reach(m, f->triangle, 0);
-        count_within(mesh_walk(m, f->at, f->at, MESH_FAR), sum->right);
+        count_within(mesh_walk(m, f->at, f->at, MESH_FAR, false), sum->right);
     }
 }
 
@@ -113,7 +113,7 @@ static double nearest_to(mesh_on_screen *m, size_t first, mesh_spot place, const
     mesh_begin_walk(m);
     for (size_t i = first; i < mesh_after_side(m, first); ++i)
         mesh_reach(m, m->sides[i].triangle, 0);
-    mesh_walk(m, place, place, MESH_FAR);
+    mesh_walk(m, place, place, MESH_FAR, true);
     for (size_t i = 0; i < m->reached_count; ++i) {
         uint32_t triangle = m->reached[i];
         for (uint32_t k = m->first_fragment[triangle]; k != UINT32_MAX; k = fragments[k].next) {
@@ -269,7 +269,8 @@ static void add_ball(smart_stage *t) {
     const double color[4] = {0.5, 0.5, 0.5, 0.3}, middle[3] = {0, 0, 0};
     oit_scene_camera(smart_stage_clear(t), 3.2, 1, 6, 0.36);
     oit_scene_ball(&t->scene, middle, 1, 96, 192, color);
-    for (size_t i = 0; i < 3 * t->scene.truths[0].vertex_count; ++i) /* the sine of pi is not quite 0: one pole, not 192 */
+    for (size_t i = 0; i < 3 * t->scene.truths[0].vertex_count;
+         ++i) /* the sine of pi is not quite 0: one pole, not 192 */
         if (fabsf(t->scene.objects[0].positions[i]) < 1e-12f)
             t->scene.objects[0].positions[i] = 0;
     t->radius = 1;

@@ -246,9 +246,10 @@ static inline void mesh_begin_walk(mesh_on_screen *m) {
     m->reached_count = 0;
 }
 
-/* From the triangles that were reached on to all others, across edges that are no lines: the cost of each is how far from
- * the segment from a to b (pixels) a path to it has to go, up to `most`. Returns the same for the nearest line. */
-static inline double mesh_walk(mesh_on_screen *m, mesh_spot a, mesh_spot b, double most) {
+/* From the triangles that were reached on to all others, along the surface: the cost of each is how far from the segment
+ * from a to b (pixels) a path to it has to go, up to `most`. over_lines: also where the surface turns away. Returns the
+ * same for the nearest line. */
+static inline double mesh_walk(mesh_on_screen *m, mesh_spot a, mesh_spot b, double most, bool over_lines) {
     double line = INFINITY;
     for (size_t done = 0; done < m->reached_count; ++done) {
         size_t least = done;
@@ -266,7 +267,7 @@ static inline double mesh_walk(mesh_on_screen *m, mesh_spot a, mesh_spot b, doub
                 continue;
             if (m->is_line[first])
                 line = fmin(line, cost);
-            for (size_t i = first; i < end && !m->is_line[first]; ++i)
+            for (size_t i = first; i < end && (over_lines || !m->is_line[first]); ++i)
                 mesh_reach(m, m->sides[i].triangle, cost);
         }
     }
