@@ -557,7 +557,8 @@ enum {
    (section 4.4, figure 7b), by a measure of how little the surface would have to bend. */
 typedef enum oit_criterion {
     OIT_LINK_DEPTH, /* equations 1 to 3: depth_weight times the distance, in radii, of the depth that the fragment's own
-                       slope predicts, plus normal_weight times 1 - n.n; none farther than limit (radii) */
+                       slope predicts, plus normal_weight times 1 - n.n; none farther than limit (radii), but
+                       where a surface of steadily changing slope may be: between what both slopes predict */
     OIT_LINK_UV,    /* distance in (u, v), none farther than limit; needs OIT_FIELD_UV */
     OIT_LINK_PUBLISHED, /* as DEPTH, without limit, and both ways by the measure of one side (algorithm 2) */
     OIT_LINK_MURRAY     /* 1 - n.n plus the difference of window depths squared; no limit (Murray 2016, section 5.1) */
@@ -575,7 +576,7 @@ typedef struct oit_link {
     oit_search search;
     float depth_weight, normal_weight; /* not negative; both 0: default 0.5 and 0.5 */
     float radius;                      /* of the scene's bounding sphere, units of the eye's space; 0: default 1 */
-    float limit;                       /* 0: default 0.05; negative: none */
+    float limit;                       /* 0: default 0.04; negative: none */
     int no_reverse_check;              /* 1: what one side likes best is its neighbour (Murray 2016, figure 5a) */
     int count_pairs;                   /* 1: pairs that are compared are counted in the header of the buffer */
 } oit_link;
@@ -6778,7 +6779,7 @@ static oit_link oit_i_resolve_link(oit_link link) {
     if (link.depth_weight == 0.0f && link.normal_weight == 0.0f)
         link.depth_weight = link.normal_weight = 0.5f;
     link.radius = oit_i_or(link.radius, 1.0f);
-    link.limit = link.limit == 0.0f ? 0.05f : link.limit;
+    link.limit = link.limit == 0.0f ? 0.04f : link.limit;
     if (link.criterion != OIT_LINK_DEPTH && link.search == OIT_SEARCH_WINDOWED)
         link.search = OIT_SEARCH_BRUTE;
     return link;

@@ -330,7 +330,7 @@ static inline ref_smart_links smart_stage_links(const smart_stage *t, const oit_
     links.criterion = criteria[link->criterion];
     links.depth_weight = links.normal_weight = 0.5;
     links.radius = link->radius > 0 ? (double)link->radius : 1;
-    links.limit = link->limit > 0 ? (double)link->limit : link->limit < 0 ? (double)INFINITY : (double)0.05f;
+    links.limit = link->limit > 0 ? (double)link->limit : link->limit < 0 ? (double)INFINITY : (double)0.04f;
     links.no_reverse_check = link->no_reverse_check != 0;
     for (int k = 0; k < 16; ++k)
         links.projection[k] = (double)(float)t->scene.scene.projection[k];
