@@ -548,9 +548,10 @@ enum {
     OIT_OPERATE_LOCAL = 16,     /* 4, shared with SMART: for HOST with iterations */
     OIT_OPERATE_DIFFUSION = 32, /* 8: beta and gamma of SMART by equation 8 */
     OIT_OPERATE_THIN = 64,      /* 8: smart.thin */
-    OIT_OPERATE_BUCKETS = 128   /* 4: OIT_SEARCH_BUCKETS */
+    OIT_OPERATE_BUCKETS = 128,  /* 4: OIT_SEARCH_BUCKETS */
+    OIT_OPERATE_CONTOURS = 256  /* 4: curvature.contours; takes CURVATURE along */
 };
-#define OIT_OPERATE_ALL 255u
+#define OIT_OPERATE_ALL 511u
 #define OIT_MAX_OPERATOR_FIELDS 4
 
 /* When two fragments of one part, in pixels side by side, are neighbours: each is what the other likes best of that pixel
@@ -656,6 +657,12 @@ typedef enum oit_opacity {
     OIT_OPACITY_DEEP   /* clear where flat, over a wider range of depth (figure 7b) */
 } oit_opacity;
 
+/* Lines within a surface, drawn by oit_compose on every layer, hidden ones as well. SUGGESTIVE (DeCarlo et al. 2003): where
+   the curvature in the direction to the eye, laid into the surface, is 0 and rises toward the eye: contours of views
+   nearby. None on what is convex. They fade where surfaces face the eye (below 30 degrees; from 14 on there is none), and
+   where that rise is small. */
+typedef enum oit_contours { OIT_CONTOURS_NONE, OIT_CONTOURS_SUGGESTIVE } oit_contours;
+
 typedef struct oit_curvature {
     float unit; /* length whose reciprocal is a curvature of 1, units of the eye's space; 0: per pixel, as published */
     oit_shade shade;
@@ -664,6 +671,12 @@ typedef struct oit_curvature {
     const float *opacities; /* instead: OIT_TRANSFER_DEPTHS rows, near to far, of OIT_TRANSFER_CURVATURES opacities in
                                [0,1] for |kappa| from 0 to 1; kept in 16 bits */
     float first, last;      /* distances along the view that are the depths 0 and 1; both 0: those of the projection */
+    oit_contours contours;  /* needs OIT_OPERATE_CONTOURS */
+    float contour_width;    /* pixels; 0: default 1.5 */
+    float
+        contour_least; /* of the rise, in radii of the link to the power -2: below it is no line, from twice as much on a
+                            whole one; 0: default 1; negative: 0 */
+    float contour_color[3];
 } oit_curvature;
 
 /* The values of a fragment, by the names that shaders have for them: OIT_BASE, ..., OIT_HOST + k. */
@@ -1258,6 +1271,96 @@ static const char *const oit_i_shader_oit_compose_glsl[] = {
     "#define S(r, q, u, v) { bool g = oit_words_after(r, u, false); X(r, u, g) }\n"
     "#endif\n"
     "#define Y(r, q, i) oit_lay(r, q);\n"
+    "#endif\n",
+    0};
+static const char *const oit_i_shader_oit_contour_glsl[] = {
+    "#line 1\n"
+    "// For: oit_buffers.h\n"
+    "// Suggestive contours (DeCarlo, Finkelstein, Rusinkiewicz, Santella 2003) on every layer, by links: where the curvature\n"
+    "// in the direction to the eye, laid into the surface, is 0 and rises toward the eye. With normals that face the eye convex\n"
+    "// is positive here. Surfaces are looked at over two pixels each way, or as far as links lead.\n"
+    "#define OIT_IN_RADIAL oit_at[5].w // that curvature, in units of the eye's space\n"
+    "#define OIT_UNKNOWN 0x7f800000u   // in its place: no neighbour on either side, or the surface is seen edge-on\n"
+    "\n"
+    "struct oit_cross // around a fragment: left, right, below, above\n"
+    "{\n"
+    "    uint slots[4];\n"
+    "    vec3 across[2]; // in the space of the eye\n"
+    "    vec2 pixels;\n"
+    "};\n"
+    "\n"
+    "// False: an axis has no extent.\n"
+    "bool oit_cross_of(uint p, uint slot, out oit_cross c)\n"
+    "{\n"
+    "    uvec4 pixels = uvec4(p);\n"
+    "    c.pixels = vec2(0.0);\n"
+    "    for (uint d = 0u; d < 4u; ++d) {\n"
+    "        c.slots[d] = slot;\n"
+    "        for (uint k = 0u; k < 2u; ++k) {\n"
+    "            uint next = oit_neighbour(pixels[d], c.slots[d], d), q;\n"
+    "            if (next == OIT_NONE || !oit_beside(pixels[d], d, q))\n"
+    "                break;\n"
+    "            pixels[d] = q;\n"
+    "            c.slots[d] = next;\n"
+    "            c.pixels[d >> 1u] += 1.0;\n"
+    "        }\n"
+    "    }\n"
+    "    for (uint axis = 0u; axis < 2u; ++axis)\n"
+    "        c.across[axis] = oit_position(oit_device(pixels[2u * axis + 1u]), oit_depth(c.slots[2u * axis + 1u])) -\n"
+    "                         oit_position(oit_device(pixels[2u * axis]), oit_depth(c.slots[2u * axis]));\n"
+    "    return c.pixels.x > 0.0 && c.pixels.y > 0.0;\n"
+    "}\n"
+    "\n"
+    "// The direction to the eye less its part along the normal, and that as so much of what lies across on either axis. False:\n"
+    "// it cannot be told.\n"
+    "bool oit_toward(uint p, uint slot, oit_cross c, out vec3 toward, out vec2 parts)\n"
+    "{\n"
+    "    vec3 normal = oit_normal(slot), eye = oit_to_eye(oit_device(p));\n"
+    "    float xx = dot(c.across[0], c.across[0]), xy = dot(c.across[0], c.across[1]), yy = dot(c.across[1], c.across[1]);\n"
+    "    float square = xx * yy - xy * xy;\n"
+    "    toward = eye - dot(eye, normal) * normal;\n"
+    "    float x = dot(toward, c.across[0]), y = dot(toward, c.across[1]);\n"
+    "    parts = vec2(yy * x - xy * y, xx * y - xy * x) / square;\n"
+    "    return square > 1.0e-6 * xx * yy && dot(toward, toward) > 1.0e-6;\n"
+    "}\n"
+    "\n"
+    "#ifndef OIT_COMPOSES\n"
+    "float oit_radial(uint p, uint slot)\n"
+    "{\n"
+    "    oit_cross c;\n"
+    "    vec3 toward;\n"
+    "    vec2 parts;\n"
+    "    if (!oit_cross_of(p, slot, c) || !oit_toward(p, slot, c, toward, parts))\n"
+    "        return uintBitsToFloat(OIT_UNKNOWN);\n"
+    "    vec3 bend = parts.x * (oit_normal(c.slots[1]) - oit_normal(c.slots[0])) +\n"
+    "                parts.y * (oit_normal(c.slots[3]) - oit_normal(c.slots[2]));\n"
+    "    float radial = dot(bend, toward) / dot(toward, toward);\n"
+    "    return dot(oit_normal(slot), oit_to_eye(oit_device(p))) < 0.0 ? -radial : radial;\n"
+    "}\n"
+    "#else\n"
+    "// How much of a fragment a contour covers: by its distance in pixels, to first order, and fading where the curvature rises\n"
+    "// slowly or the surface faces the eye, where contours say little. oit_set[1]: x: half a line and half a pixel; y: 1 over\n"
+    "// the least rise.\n"
+    "float oit_contour(uint p, uint slot)\n"
+    "{\n"
+    "    oit_cross c;\n"
+    "    vec3 toward;\n"
+    "    vec2 parts, rise;\n"
+    "    uint own = oit_surface[OIT_IN_RADIAL + slot];\n"
+    "    if (own == OIT_UNKNOWN || !oit_cross_of(p, slot, c) || !oit_toward(p, slot, c, toward, parts))\n"
+    "        return 0.0;\n"
+    "    for (uint axis = 0u; axis < 2u; ++axis) {\n"
+    "        uint low = oit_surface[OIT_IN_RADIAL + c.slots[2u * axis]], high = oit_surface[OIT_IN_RADIAL + c.slots[2u * axis + 1u]];\n"
+    "        if (low == OIT_UNKNOWN || high == OIT_UNKNOWN)\n"
+    "            return 0.0;\n"
+    "        rise[axis] = uintBitsToFloat(high) - uintBitsToFloat(low);\n"
+    "    }\n"
+    "    float steep = length(toward), near = length(rise / c.pixels) * oit_set[1].x - abs(uintBitsToFloat(own));\n"
+    "    if (!(near > 0.0))\n"
+    "        return 0.0;\n"
+    "    return clamp(near / length(rise / c.pixels), 0.0, 1.0) *\n"
+    "           clamp(dot(parts, rise) / steep * oit_set[1].y - 1.0, 0.0, 1.0) * clamp(4.0 * steep - 1.0, 0.0, 1.0);\n"
+    "}\n"
     "#endif\n",
     0};
 static const char *const oit_i_shader_oit_depth_frag[] = {
@@ -2036,7 +2139,8 @@ static const char *const oit_i_shader_oit_operator_compose_frag[] = {
     "// For: oit_buffers.h\n"
     "// The pixels' runs in the order of their slots over the target, each surface with the opacity that the operators made\n"
     "// (Carnecky 2013, section 5.5, algorithm 3) and shaded by its curvature (Murray 2016, section 5.2). OIT_STEP: x: bits: 1:\n"
-    "// base, 2: beta and gamma, 4: shade, 8: algorithm 3 as printed; y, z: profiles of beta and gamma; oit_set[0]: their p.\n"
+    "// base, 2: beta and gamma, 4: shade, 8: algorithm 3 as printed, 16: contours; y, z: profiles of beta and gamma; oit_set[0]:\n"
+    "// their p; oit_set[2]: colour of contours.\n"
     "// OIT_EXTRA_STEP and oit_set[7]: as oit_value says.\n"
     "#if OIT_MODE == OIT_MODE_DUAL\n"
     "layout(location = 0, index = 0) out highp vec4 oit_out;\n"
@@ -2052,6 +2156,7 @@ static const char *const oit_i_shader_oit_operator_compose_frag[] = {
     "#endif\n"
     "vec3 oit_sum = vec3(0.0);\n"
     "OIT_THROUGH oit_through = OIT_THROUGH(1.0);\n"
+    "uint oit_here = 0u; // the pixel\n"
     "\n"
     "bool oit_visible()\n"
     "{\n"
@@ -2102,10 +2207,17 @@ static const char *const oit_i_shader_oit_operator_compose_frag[] = {
     "    uint what = OIT_STEP.x;\n"
     "    if ((what & 1u) != 0u)\n"
     "        color.a = oit_value(OIT_BASE, slot);\n"
+    "    float line = 0.0;\n"
+    "#if OIT_CONTOURS\n"
+    "    if ((what & 16u) != 0u)\n"
+    "        line = oit_contour(oit_here, slot);\n"
+    "    color.a += (1.0 - color.a) * line;\n"
+    "#endif\n"
     "    if ((what & 2u) != 0u)\n"
     "        color.a = (1.0 - oit_halo(slot)) * (color.a + (1.0 - color.a) * oit_outline(slot));\n"
     "    if ((what & 4u) != 0u)\n"
     "        color.rgb *= oit_shade(oit_value(OIT_KAPPA, slot));\n"
+    "    color.rgb = mix(color.rgb, oit_set[2].rgb, line);\n"
     "    return color;\n"
     "}\n"
     "\n"
@@ -2150,18 +2262,19 @@ static const char *const oit_i_shader_oit_operator_compose_frag[] = {
     "\n"
     "void main()\n"
     "{\n"
-    "    ivec2 where = ivec2(gl_FragCoord.xy) - oit_area.xy;\n"
+    "    ivec2 where = ivec2(gl_FragCoord.xy) - oit_area.xy;\n",
+    "#line 128\n"
     "    uint p = uint(where.y) * uint(oit_area.z) + uint(where.x), first, n = oit_list(p, first);\n"
     "    if (n == 0u)\n"
     "        discard;\n"
+    "    oit_here = p;\n"
     "    for (uint i = 0u; i < n && oit_visible(); ++i)\n"
     "        oit_lay(first + i);\n"
     "#if OIT_KEEPS\n"
     "    oit_lay_tail(p);\n"
     "#endif\n"
     "#if OIT_MODE == OIT_MODE_DUAL\n"
-    "    oit_out = vec4(oit_sum, 0.0);\n",
-    "#line 129\n"
+    "    oit_out = vec4(oit_sum, 0.0);\n"
     "    oit_keep = vec4(oit_light.w * oit_through, 0.0);\n"
     "#elif OIT_MODE == OIT_MODE_FILTER\n"
     "    oit_out = vec4(oit_light.w * oit_through, 0.0);\n"
@@ -2411,7 +2524,7 @@ static const char *const oit_i_shader_oit_operator_curve_comp[] = {
     "// Curvature of the surface at a fragment, tanh(kappa1 + kappa2) (Murray 2016, section 5.1), and opacity from it. The trace\n"
     "// of the map from steps along the surface to differences of normals: no division by a normal's z, so that grazing normals\n"
     "// are bounded. Without one of the four neighbours -1. OIT_STEP: x: 1: the opacities go to base; oit_set[0]: x: 1 / unit, 0:\n"
-    "// steps are those in the window; y, z: distance to depth.\n"
+    "// steps are those in the window; y, z: distance to depth. OIT_STEP.y: 1: the curvature toward the eye, too.\n"
     "layout(location = 16) uniform highp uvec4 oit_opacities[64]; // 16 rows of 32 in 16 bits each\n"
     "\n"
     "float oit_opacity_entry(uint at)\n"
@@ -2463,6 +2576,10 @@ static const char *const oit_i_shader_oit_operator_curve_comp[] = {
     "        bool surface = oit_is_surface(slot);\n"
     "        float kappa = surface ? oit_kappa(p, slot) : 0.0;\n"
     "        oit_surface[OIT_IN_KAPPA + slot] = floatBitsToUint(kappa);\n"
+    "#if OIT_CONTOURS\n"
+    "        if (OIT_STEP.y != 0u)\n"
+    "            oit_surface[OIT_IN_RADIAL + slot] = surface ? floatBitsToUint(oit_radial(p, slot)) : OIT_UNKNOWN;\n"
+    "#endif\n"
     "        if (OIT_STEP.x != 0u && surface)\n"
     "            oit_set_value(OIT_BASE, slot, oit_opacity(abs(kappa), (oit_distance(oit_depth(slot)) - oit_set[0].y) * oit_set[0].z));\n"
     "    }\n"
@@ -4273,6 +4390,7 @@ enum {
     OIT_I_AT_SIZES,
     OIT_I_AT_SIZES_HIGH,
     OIT_I_AT_GROUPED,
+    OIT_I_AT_RADIAL,
     OIT_I_AT_HOST,
     OIT_I_SECTIONS = OIT_I_AT_HOST + OIT_MAX_OPERATOR_FIELDS
 };
@@ -4700,11 +4818,13 @@ static oit_i_record oit_i_layout(const oit_desc *desc);
 
 /* What a run of an operator leaves for those after it in the frame. */
 enum { OIT_I_DID_SORT = 1, OIT_I_DID_LINK = 2, OIT_I_DID_BASE = 4, OIT_I_DID_SMART = 8, OIT_I_DID_CURVE = 16 };
-enum { OIT_I_DID_SHADE = 32 };
+enum { OIT_I_DID_SHADE = 32, OIT_I_DID_CONTOUR = 64 };
 
 static oit_i_u oit_i_links_of(oit_i_u operators) {
     if (operators & (OIT_OPERATE_DIFFUSION | OIT_OPERATE_THIN))
         operators |= OIT_OPERATE_SMART;
+    if (operators & OIT_OPERATE_CONTOURS)
+        operators |= OIT_OPERATE_CURVATURE;
     if (operators & (OIT_OPERATE_SMART | OIT_OPERATE_CURVATURE))
         operators |= OIT_OPERATE_LINKS | OIT_OPERATE_LAW;
     if (operators & OIT_OPERATE_BUCKETS)
@@ -5460,22 +5580,33 @@ static int oit_i_is_operator(int program) {
     return program >= OIT_I_PROGRAM_SORT && program < OIT_I_PROGRAM_LAID;
 }
 
-static void oit_i_built_in_operator_source(oit_i_source *source, int program) {
+/* What curve and compose share where there are contours. */
+static void oit_i_contour_source(oit_i_source *source, int contours) {
+    if (contours)
+        oit_i_add_chunks(source, oit_i_shader_oit_contour_glsl);
+}
+
+static void oit_i_built_in_operator_source(oit_i_source *source, int program, int contours) {
+    oit_i_add(source, contours ? "#define OIT_CONTOURS 1\n" : "#define OIT_CONTOURS 0\n");
     if (program == OIT_I_PROGRAM_JUMP || program == OIT_I_PROGRAM_SIZE)
         oit_i_add(source, "#define OIT_OWN_MAIN 1\n");
     oit_i_operator_source(source);
     oit_i_add_chunks(source, oit_i_shader_oit_operator_glsl);
+    if (program == OIT_I_PROGRAM_CURVE)
+        oit_i_contour_source(source, contours);
     oit_i_add_chunks(source, oit_i_operators[program - OIT_I_PROGRAM_SORT]);
 }
 
-static void oit_i_laid_source(oit_i_source *source, int mode) {
+static void oit_i_laid_source(oit_i_source *source, int mode, int contours) {
     static const char *const modes[4] = {"#define OIT_MODE 0\n", "#define OIT_MODE 1\n", "#define OIT_MODE 2\n",
                                          "#define OIT_MODE 3\n"};
     oit_i_add(source, modes[mode]);
     oit_i_add(source, "#define OIT_COMPOSES 1\n");
+    oit_i_add(source, contours ? "#define OIT_CONTOURS 1\n" : "#define OIT_CONTOURS 0\n");
     oit_i_operator_source(source);
     oit_i_add_chunks(source, oit_i_shader_oit_behind_glsl);
     oit_i_add_chunks(source, oit_i_shader_oit_operator_glsl);
+    oit_i_contour_source(source, contours);
     oit_i_add_chunks(source, oit_i_shader_oit_operator_compose_frag);
 }
 
@@ -5495,11 +5626,11 @@ static void oit_i_program_source(oit_i_source *source, int program, oit_stage st
     }
     oit_i_add_preamble(source, es, preamble);
     if (oit_i_is_operator(program)) {
-        oit_i_built_in_operator_source(source, program);
+        oit_i_built_in_operator_source(source, program, (desc->operators & OIT_OPERATE_CONTOURS) != 0);
     } else if (program >= OIT_I_PROGRAM_LAID && stage == OIT_FRAGMENT) {
         if (desc->fields & OIT_FIELD_BLEND)
             mode = !es ? OIT_I_MODE_DUAL : program == OIT_I_PROGRAM_LAID_LIGHT ? OIT_I_MODE_LIGHT : OIT_I_MODE_FILTER;
-        oit_i_laid_source(source, mode);
+        oit_i_laid_source(source, mode, (desc->operators & OIT_OPERATE_CONTOURS) != 0);
     } else if ((program == OIT_I_PROGRAM_FIRST || program == OIT_I_PROGRAM_LAY) && stage == OIT_FRAGMENT) {
         oit_i_lay_source(source, program);
     } else if (program == OIT_I_PROGRAM_PICK || (program == OIT_I_PROGRAM_DEPTH && stage == OIT_FRAGMENT)) {
@@ -5883,6 +6014,8 @@ static int oit_i_has_section(const oit_context *oit, int section, int wide) {
         return (operators & OIT_OPERATE_THIN) != 0;
     case OIT_I_AT_GROUPED:
         return (operators & OIT_OPERATE_BUCKETS) != 0;
+    case OIT_I_AT_RADIAL:
+        return (operators & OIT_OPERATE_CONTOURS) != 0;
     default:
         return section - OIT_I_AT_HOST < oit->desc.operator_fields;
     }
@@ -6694,7 +6827,8 @@ static int oit_i_is_lit(const oit_context *oit) {
 /* Whether that draw of the composition is the one by what operators have made, which stands for the programs of all
    depths. */
 static int oit_i_lays(const oit_context *oit, int draw) {
-    return (oit->did & (OIT_I_DID_BASE | OIT_I_DID_SMART | OIT_I_DID_SHADE)) && draw % (OIT_I_CLASSES + 1) == 0;
+    oit_i_u made = OIT_I_DID_BASE | OIT_I_DID_SMART | OIT_I_DID_SHADE | OIT_I_DID_CONTOUR;
+    return (oit->did & made) && draw % (OIT_I_CLASSES + 1) == 0;
 }
 
 static int oit_i_program_of(const oit_context *oit, oit_pass_kind kind) {
@@ -6863,7 +6997,20 @@ static const char *oit_i_bad_smart(const oit_context *oit, const oit_smart *smar
     return bad;
 }
 
-static const char *oit_i_bad_curvature(const oit_curvature *curvature) {
+static const char *oit_i_bad_contours(const oit_context *oit, const oit_curvature *curvature) {
+    if ((unsigned)curvature->contours > (unsigned)OIT_CONTOURS_SUGGESTIVE)
+        return "curvature.contours is none of its enumerators";
+    if (curvature->contours == OIT_CONTOURS_NONE)
+        return 0;
+    if (!(oit->desc.operators & OIT_OPERATE_CONTOURS))
+        return "curvature.contours needs OIT_OPERATE_CONTOURS in desc.operators";
+    if (!oit_i_all_finite(&curvature->contour_width, 1) || curvature->contour_width < 0.0f ||
+        !oit_i_all_finite(&curvature->contour_least, 1) || !oit_i_all_finite(curvature->contour_color, 3))
+        return "a number of curvature.contour_* is not finite, or curvature.contour_width is negative";
+    return 0;
+}
+
+static const char *oit_i_bad_curvature(const oit_context *oit, const oit_curvature *curvature) {
     const float numbers[3] = {curvature->unit, curvature->first, curvature->last};
     if ((unsigned)curvature->shade > (unsigned)OIT_SHADE_CURVED ||
         (unsigned)curvature->opacity > (unsigned)OIT_OPACITY_DEEP)
@@ -6874,7 +7021,7 @@ static const char *oit_i_bad_curvature(const oit_curvature *curvature) {
         return "a number of curvature.shades is not finite";
     if (curvature->opacities && !oit_i_all_finite(curvature->opacities, OIT_TRANSFER_CURVATURES * OIT_TRANSFER_DEPTHS))
         return "a number of curvature.opacities is not finite";
-    return 0;
+    return oit_i_bad_contours(oit, curvature);
 }
 
 static const char *oit_i_bad_host(const oit_context *oit, const oit_host_operator *host) {
@@ -6908,7 +7055,7 @@ static const char *oit_i_bad_operator(const oit_context *oit, const oit_operator
     case OIT_RUN_SMART:
         return oit_i_bad_smart(oit, &op->smart);
     case OIT_RUN_CURVATURE:
-        return oit_i_bad_curvature(&op->curvature);
+        return oit_i_bad_curvature(oit, &op->curvature);
     default:
         return oit_i_bad_host(oit, &op->host);
     }
@@ -7112,16 +7259,28 @@ static void oit_i_number_curve(const oit_context *oit, oit_i_numbers *n) {
     double first, last;
     oit_i_depth_range(oit, &first, &last);
     n->at[4][0] = oit->curvature_base != 0;
+    n->at[4][1] = oit->curvature.contours != OIT_CONTOURS_NONE;
     n->set[0][0] = oit->curvature.unit > 0.0f ? 1.0f / oit->curvature.unit : 0.0f;
     n->set[0][1] = (float)first;
     n->set[0][2] = last != first ? (float)(1.0 / (last - first)) : 0.0f;
+}
+
+/* Radii are those of the link. */
+static void oit_i_number_contours(const oit_context *oit, oit_i_numbers *n) {
+    const oit_curvature *curvature = &oit->curvature;
+    float least = oit_i_or(curvature->contour_least, 1.0f), radius = oit->link.radius;
+    n->set[1][0] = 0.5f * oit_i_or(curvature->contour_width, 1.5f) + 0.5f;
+    n->set[1][1] = radius * radius / (least > 1e-30f ? least : 1e-30f);
+    memcpy(n->set[2], curvature->contour_color, sizeof curvature->contour_color);
 }
 
 static void oit_i_number_compose(const oit_context *oit, oit_i_numbers *n) {
     const oit_smart *smart = &oit->smart;
     int is_smart = (oit->did & OIT_I_DID_SMART) != 0;
     n->at[4][0] = ((oit->did & OIT_I_DID_BASE) ? 1u : 0u) | (is_smart ? 2u : 0u) |
-                  ((oit->did & OIT_I_DID_SHADE) ? 4u : 0u) | (is_smart && smart->published ? 8u : 0u);
+                  ((oit->did & OIT_I_DID_SHADE) ? 4u : 0u) | (is_smart && smart->published ? 8u : 0u) |
+                  ((oit->did & OIT_I_DID_CONTOUR) ? 16u : 0u);
+    oit_i_number_contours(oit, n);
     n->at[4][1] = (oit_i_u)smart->beta.profile;
     n->at[4][2] = (oit_i_u)smart->gamma.profile;
     n->set[0][0] = smart->beta.p;
@@ -7156,6 +7315,7 @@ static void oit_i_number_sections(const oit_context *oit, oit_i_numbers *n) {
     if (oit->smart.gamma.process != OIT_PROCESS_DIFFUSION)
         n->at[1][3] = 0u;
     n->at[5][2] = oit->sections[OIT_I_AT_SIZES_HIGH];
+    n->at[5][3] = oit->sections[OIT_I_AT_RADIAL];
 }
 
 static void oit_i_number_stage(const oit_context *oit, const oit_i_stage *stage, int step, oit_i_numbers *n) {
@@ -7930,6 +8090,8 @@ static oit_i_u oit_i_deeds(const oit_context *oit, const oit_operator *op) {
         did |= OIT_I_DID_BASE;
     if (op->kind == OIT_RUN_CURVATURE && (op->curvature.shades || op->curvature.shade != OIT_SHADE_NONE))
         did |= OIT_I_DID_SHADE;
+    if (op->kind == OIT_RUN_CURVATURE && op->curvature.contours != OIT_CONTOURS_NONE)
+        did |= OIT_I_DID_CONTOUR;
     return did;
 }
 
