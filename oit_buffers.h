@@ -549,7 +549,7 @@ enum {
     OIT_OPERATE_DIFFUSION = 32, /* 8: beta and gamma of SMART by equation 8 */
     OIT_OPERATE_THIN = 64,      /* 8: smart.thin */
     OIT_OPERATE_BUCKETS = 128,  /* 4: OIT_SEARCH_BUCKETS */
-    OIT_OPERATE_CONTOURS = 256  /* 4: curvature.contours; takes CURVATURE along */
+    OIT_OPERATE_CONTOURS = 256  /* 4, and 4 shared with SMART: curvature.contours; takes CURVATURE along */
 };
 #define OIT_OPERATE_ALL 511u
 #define OIT_MAX_OPERATOR_FIELDS 4
@@ -672,6 +672,8 @@ typedef struct oit_curvature {
                                [0,1] for |kappa| from 0 to 1; kept in 16 bits */
     float first, last;      /* distances along the view that are the depths 0 and 1; both 0: those of the projection */
     oit_contours contours;  /* needs OIT_OPERATE_CONTOURS */
+    int contour_iterations; /* of equation 8 that the curvature toward the eye is smoothed by, over sqrt(n)/2 pixels along
+                               the surface: faces that are larger show; at most 65533; 0: default 64; negative: none */
     float contour_width;    /* pixels; 0: default 1.5 */
     float
         contour_least; /* of the rise, in radii of the link to the power -2: below it is no line, from twice as much on a
@@ -1279,8 +1281,7 @@ static const char *const oit_i_shader_oit_contour_glsl[] = {
     "// Suggestive contours (DeCarlo, Finkelstein, Rusinkiewicz, Santella 2003) on every layer, by links: where the curvature\n"
     "// in the direction to the eye, laid into the surface, is 0 and rises toward the eye. With normals that face the eye convex\n"
     "// is positive here. Surfaces are looked at over two pixels each way, or as far as links lead.\n"
-    "#define OIT_IN_RADIAL oit_at[5].w // that curvature, in units of the eye's space\n"
-    "#define OIT_UNKNOWN 0x7f800000u   // in its place: no neighbour on either side, or the surface is seen edge-on\n"
+    "#define OIT_IN_RADIAL oit_at[5].w // that curvature, in units of the eye's space, then smoothed; 0 where it cannot be told\n"
     "\n"
     "struct oit_cross // around a fragment: left, right, below, above\n"
     "{\n"
@@ -1331,13 +1332,18 @@ static const char *const oit_i_shader_oit_contour_glsl[] = {
     "    vec3 toward;\n"
     "    vec2 parts;\n"
     "    if (!oit_cross_of(p, slot, c) || !oit_toward(p, slot, c, toward, parts))\n"
-    "        return uintBitsToFloat(OIT_UNKNOWN);\n"
+    "        return 0.0;\n"
     "    vec3 bend = parts.x * (oit_normal(c.slots[1]) - oit_normal(c.slots[0])) +\n"
     "                parts.y * (oit_normal(c.slots[3]) - oit_normal(c.slots[2]));\n"
     "    float radial = dot(bend, toward) / dot(toward, toward);\n"
     "    return dot(oit_normal(slot), oit_to_eye(oit_device(p))) < 0.0 ? -radial : radial;\n"
     "}\n"
     "#else\n"
+    "float oit_radial_of(uint slot)\n"
+    "{\n"
+    "    return uintBitsToFloat(oit_surface[OIT_IN_RADIAL + slot]);\n"
+    "}\n"
+    "\n"
     "// How much of a fragment a contour covers: by its distance in pixels, to first order, and fading where the curvature rises\n"
     "// slowly or the surface faces the eye, where contours say little. oit_set[1]: x: half a line and half a pixel; y: 1 over\n"
     "// the least rise.\n"
@@ -1346,20 +1352,15 @@ static const char *const oit_i_shader_oit_contour_glsl[] = {
     "    oit_cross c;\n"
     "    vec3 toward;\n"
     "    vec2 parts, rise;\n"
-    "    uint own = oit_surface[OIT_IN_RADIAL + slot];\n"
-    "    if (own == OIT_UNKNOWN || !oit_cross_of(p, slot, c) || !oit_toward(p, slot, c, toward, parts))\n"
+    "    if (!oit_cross_of(p, slot, c) || !oit_toward(p, slot, c, toward, parts))\n"
     "        return 0.0;\n"
-    "    for (uint axis = 0u; axis < 2u; ++axis) {\n"
-    "        uint low = oit_surface[OIT_IN_RADIAL + c.slots[2u * axis]], high = oit_surface[OIT_IN_RADIAL + c.slots[2u * axis + 1u]];\n"
-    "        if (low == OIT_UNKNOWN || high == OIT_UNKNOWN)\n"
-    "            return 0.0;\n"
-    "        rise[axis] = uintBitsToFloat(high) - uintBitsToFloat(low);\n"
-    "    }\n"
-    "    float steep = length(toward), near = length(rise / c.pixels) * oit_set[1].x - abs(uintBitsToFloat(own));\n"
-    "    if (!(near > 0.0))\n"
+    "    for (uint axis = 0u; axis < 2u; ++axis)\n"
+    "        rise[axis] = oit_radial_of(c.slots[2u * axis + 1u]) - oit_radial_of(c.slots[2u * axis]);\n"
+    "    float steep = length(toward), each = length(rise / c.pixels), covered = oit_set[1].x * each - abs(oit_radial_of(slot));\n"
+    "    if (!(covered > 0.0))\n"
     "        return 0.0;\n"
-    "    return clamp(near / length(rise / c.pixels), 0.0, 1.0) *\n"
-    "           clamp(dot(parts, rise) / steep * oit_set[1].y - 1.0, 0.0, 1.0) * clamp(4.0 * steep - 1.0, 0.0, 1.0);\n"
+    "    return min(covered / each, 1.0) * clamp(dot(parts, rise) / steep * oit_set[1].y - 1.0, 0.0, 1.0) *\n"
+    "           clamp(4.0 * steep - 1.0, 0.0, 1.0);\n"
     "}\n"
     "#endif\n",
     0};
@@ -2578,7 +2579,7 @@ static const char *const oit_i_shader_oit_operator_curve_comp[] = {
     "        oit_surface[OIT_IN_KAPPA + slot] = floatBitsToUint(kappa);\n"
     "#if OIT_CONTOURS\n"
     "        if (OIT_STEP.y != 0u)\n"
-    "            oit_surface[OIT_IN_RADIAL + slot] = surface ? floatBitsToUint(oit_radial(p, slot)) : OIT_UNKNOWN;\n"
+    "            oit_surface[OIT_IN_RADIAL + slot] = floatBitsToUint(surface ? oit_radial(p, slot) : 0.0);\n"
     "#endif\n"
     "        if (OIT_STEP.x != 0u && surface)\n"
     "            oit_set_value(OIT_BASE, slot, oit_opacity(abs(kappa), (oit_distance(oit_depth(slot)) - oit_set[0].y) * oit_set[0].z));\n"
@@ -6001,7 +6002,7 @@ static int oit_i_has_section(const oit_context *oit, int section, int wide) {
     case OIT_I_AT_BASE:
         return (operators & OIT_OPERATE_LAW) != 0;
     case OIT_I_AT_SPARE:
-        return (operators & (OIT_OPERATE_SMART | OIT_OPERATE_LOCAL)) != 0;
+        return (operators & (OIT_OPERATE_SMART | OIT_OPERATE_LOCAL | OIT_OPERATE_CONTOURS)) != 0;
     case OIT_I_AT_REACH:
         return (operators & OIT_OPERATE_SMART) != 0;
     case OIT_I_AT_KAPPA:
@@ -7004,6 +7005,8 @@ static const char *oit_i_bad_contours(const oit_context *oit, const oit_curvatur
         return 0;
     if (!(oit->desc.operators & OIT_OPERATE_CONTOURS))
         return "curvature.contours needs OIT_OPERATE_CONTOURS in desc.operators";
+    if (curvature->contour_iterations > 65533)
+        return "curvature.contour_iterations are more than 65533";
     if (!oit_i_all_finite(&curvature->contour_width, 1) || curvature->contour_width < 0.0f ||
         !oit_i_all_finite(&curvature->contour_least, 1) || !oit_i_all_finite(curvature->contour_color, 3))
         return "a number of curvature.contour_* is not finite, or curvature.contour_width is negative";
@@ -7114,6 +7117,10 @@ static int oit_i_jump_rounds(const oit_smart *smart, int steps) {
     return smart->rounds ? smart->rounds : straight;
 }
 
+static int oit_i_chain_passes(int iterations) {
+    return 2 * ((iterations + OIT_I_CHAIN_STEPS - 1) / OIT_I_CHAIN_STEPS);
+}
+
 static void oit_i_plan_smart(oit_context *oit) {
     const oit_smart *smart = &oit->smart;
     int greatest = oit_i_greatest_steps(smart), base = smart->base.iterations;
@@ -7124,7 +7131,7 @@ static void oit_i_plan_smart(oit_context *oit) {
         oit_i_add_stage(oit, OIT_I_PROGRAM_SIZE, 0, oit_i_size_passes(smart));
     if (smart->jumps) {
         oit_i_add_stage(oit, OIT_I_PROGRAM_JUMP, 0, 2 * oit_i_jump_rounds(smart, greatest));
-        oit_i_add_stage(oit, OIT_I_PROGRAM_CHAIN, 0, 2 * ((base + OIT_I_CHAIN_STEPS - 1) / OIT_I_CHAIN_STEPS));
+        oit_i_add_stage(oit, OIT_I_PROGRAM_CHAIN, OIT_I_AT_BASE, oit_i_chain_passes(base));
     } else {
         oit_i_add_stage(oit, OIT_I_PROGRAM_SOLVE, OIT_I_AT_BASE, greatest > base ? greatest : base);
     }
@@ -7156,6 +7163,9 @@ static void oit_i_plan(oit_context *oit, const oit_operator *op) {
         if (oit->curvature_base && !(oit->did & OIT_I_DID_BASE)) /* of what is no surface, too */
             oit_i_add_stage(oit, OIT_I_PROGRAM_LAW, OIT_LAW_GIVEN, 1);
         oit_i_add_stage(oit, OIT_I_PROGRAM_CURVE, 0, 1);
+        if (oit->curvature.contours != OIT_CONTOURS_NONE)
+            oit_i_add_stage(oit, OIT_I_PROGRAM_CHAIN, OIT_I_AT_RADIAL,
+                            oit_i_chain_passes(oit->curvature.contour_iterations));
     } else {
         if (oit_i_host_makes_base(oit, op) && !(oit->did & OIT_I_DID_BASE))
             oit_i_add_stage(oit, OIT_I_PROGRAM_LAW, OIT_LAW_GIVEN, 1);
@@ -7229,12 +7239,15 @@ static void oit_i_number_solve(const oit_context *oit, const oit_i_stage *stage,
 }
 
 static void oit_i_number_chain(const oit_context *oit, const oit_i_stage *stage, int step, oit_i_numbers *n) {
-    int steps = oit_i_chain_steps(oit->smart.base.iterations, stage->count / 2, step / 2);
+    int is_base = stage->what == OIT_I_AT_BASE;
+    int all = is_base ? oit->smart.base.iterations : oit->curvature.contour_iterations;
+    int steps = oit_i_chain_steps(all, stage->count / 2, step / 2);
+    double lambda = is_base ? (double)oit->smart.base.lambda : 1.0;
     float weights[16];
-    n->at[2][0] = oit->sections[OIT_I_AT_BASE];
+    n->at[2][0] = oit->sections[stage->what];
     n->at[2][1] = oit->sections[OIT_I_AT_SPARE];
     n->at[4][0] = (oit_i_u)(step ^ step >> 1) & 1u; /* rows, columns, columns, rows: errors of the order cancel */
-    n->at[4][1] = (oit_i_u)oit_i_chain_weights(steps, 0.125 * (double)oit->smart.base.lambda, weights);
+    n->at[4][1] = (oit_i_u)oit_i_chain_weights(steps, 0.125 * lambda, weights);
     memcpy(n->set, weights, sizeof weights);
 }
 
@@ -7422,7 +7435,7 @@ static void oit_i_advance_operation(oit_context *oit) {
     if (stage->program == OIT_I_PROGRAM_JUMP)
         oit_i_swap_sections(oit, OIT_I_AT_REACH, OIT_I_AT_SPARE);
     else if (stage->program == OIT_I_PROGRAM_CHAIN || (stage->program == OIT_I_PROGRAM_HOST && stage->what))
-        oit_i_swap_sections(oit, stage->program == OIT_I_PROGRAM_CHAIN ? OIT_I_AT_BASE : oit->host_section,
+        oit_i_swap_sections(oit, stage->program == OIT_I_PROGRAM_CHAIN ? stage->what : oit->host_section,
                             OIT_I_AT_SPARE);
     else if (stage->program == OIT_I_PROGRAM_SOLVE &&
              (stage->what != OIT_I_AT_BASE || step < oit->smart.base.iterations))
@@ -8070,6 +8083,8 @@ static void oit_i_take_operator(oit_context *oit, const oit_operator *op) {
         oit->smart = oit_i_resolve_smart(op->smart);
     if (op->kind == OIT_RUN_CURVATURE) {
         oit->curvature = op->curvature;
+        if (op->curvature.contour_iterations <= 0)
+            oit->curvature.contour_iterations = op->curvature.contour_iterations ? 0 : 64;
         oit->curvature_base = op->curvature.opacities || op->curvature.opacity != OIT_OPACITY_NONE;
         oit_i_take_shades(oit, &op->curvature);
         oit_i_take_opacities(oit, &op->curvature);

@@ -1311,6 +1311,7 @@ static void add_contours(const illustrate_job *job, oit_curvature *curvature) {
         return;
     curvature->contours = OIT_CONTOURS_SUGGESTIVE;
     curvature->contour_width = 1.2f * (float)job->quality;
+    curvature->contour_iterations = 64 * job->quality * job->quality; /* 4 pixels of the result */
     curvature->contour_least = (float)fmax(job->contours, 0);
 }
 

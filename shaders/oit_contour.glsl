@@ -2,8 +2,7 @@
 // Suggestive contours (DeCarlo, Finkelstein, Rusinkiewicz, Santella 2003) on every layer, by links: where the curvature
 // in the direction to the eye, laid into the surface, is 0 and rises toward the eye. With normals that face the eye convex
 // is positive here. Surfaces are looked at over two pixels each way, or as far as links lead.
-#define OIT_IN_RADIAL oit_at[5].w // that curvature, in units of the eye's space
-#define OIT_UNKNOWN 0x7f800000u   // in its place: no neighbour on either side, or the surface is seen edge-on
+#define OIT_IN_RADIAL oit_at[5].w // that curvature, in units of the eye's space, then smoothed; 0 where it cannot be told
 
 struct oit_cross // around a fragment: left, right, below, above
 {
@@ -54,13 +53,18 @@ float oit_radial(uint p, uint slot)
     vec3 toward;
     vec2 parts;
     if (!oit_cross_of(p, slot, c) || !oit_toward(p, slot, c, toward, parts))
-        return uintBitsToFloat(OIT_UNKNOWN);
+        return 0.0;
     vec3 bend = parts.x * (oit_normal(c.slots[1]) - oit_normal(c.slots[0])) +
                 parts.y * (oit_normal(c.slots[3]) - oit_normal(c.slots[2]));
     float radial = dot(bend, toward) / dot(toward, toward);
     return dot(oit_normal(slot), oit_to_eye(oit_device(p))) < 0.0 ? -radial : radial;
 }
 #else
+float oit_radial_of(uint slot)
+{
+    return uintBitsToFloat(oit_surface[OIT_IN_RADIAL + slot]);
+}
+
 // How much of a fragment a contour covers: by its distance in pixels, to first order, and fading where the curvature rises
 // slowly or the surface faces the eye, where contours say little. oit_set[1]: x: half a line and half a pixel; y: 1 over
 // the least rise.
@@ -69,19 +73,14 @@ float oit_contour(uint p, uint slot)
     oit_cross c;
     vec3 toward;
     vec2 parts, rise;
-    uint own = oit_surface[OIT_IN_RADIAL + slot];
-    if (own == OIT_UNKNOWN || !oit_cross_of(p, slot, c) || !oit_toward(p, slot, c, toward, parts))
+    if (!oit_cross_of(p, slot, c) || !oit_toward(p, slot, c, toward, parts))
         return 0.0;
-    for (uint axis = 0u; axis < 2u; ++axis) {
-        uint low = oit_surface[OIT_IN_RADIAL + c.slots[2u * axis]], high = oit_surface[OIT_IN_RADIAL + c.slots[2u * axis + 1u]];
-        if (low == OIT_UNKNOWN || high == OIT_UNKNOWN)
-            return 0.0;
-        rise[axis] = uintBitsToFloat(high) - uintBitsToFloat(low);
-    }
-    float steep = length(toward), near = length(rise / c.pixels) * oit_set[1].x - abs(uintBitsToFloat(own));
-    if (!(near > 0.0))
+    for (uint axis = 0u; axis < 2u; ++axis)
+        rise[axis] = oit_radial_of(c.slots[2u * axis + 1u]) - oit_radial_of(c.slots[2u * axis]);
+    float steep = length(toward), each = length(rise / c.pixels), covered = oit_set[1].x * each - abs(oit_radial_of(slot));
+    if (!(covered > 0.0))
         return 0.0;
-    return clamp(near / length(rise / c.pixels), 0.0, 1.0) *
-           clamp(dot(parts, rise) / steep * oit_set[1].y - 1.0, 0.0, 1.0) * clamp(4.0 * steep - 1.0, 0.0, 1.0);
+    return min(covered / each, 1.0) * clamp(dot(parts, rise) / steep * oit_set[1].y - 1.0, 0.0, 1.0) *
+           clamp(4.0 * steep - 1.0, 0.0, 1.0);
 }
 #endif

@@ -56,7 +56,7 @@ void oit_operate(uint p)
         oit_surface[OIT_IN_KAPPA + slot] = floatBitsToUint(kappa);
 #if OIT_CONTOURS
         if (OIT_STEP.y != 0u)
-            oit_surface[OIT_IN_RADIAL + slot] = surface ? floatBitsToUint(oit_radial(p, slot)) : OIT_UNKNOWN;
+            oit_surface[OIT_IN_RADIAL + slot] = floatBitsToUint(surface ? oit_radial(p, slot) : 0.0);
 #endif
         if (OIT_STEP.x != 0u && surface)
             oit_set_value(OIT_BASE, slot, oit_opacity(abs(kappa), (oit_distance(oit_depth(slot)) - oit_set[0].y) * oit_set[0].z));
