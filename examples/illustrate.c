@@ -88,6 +88,8 @@ static const char *const HELP[] = {
     "  --neighbours HOW         --style smart and curvature, which places of a surface go on in one another: mutual\n"
     "                           (default); carnecky, murray: as their papers have it; one-sided: the latter without\n"
     "                           asking back\n"
+    "  --contours KIND[:LEAST]  --style smart and curvature, lines within surfaces: suggestive, where they would turn away\n"
+    "                           if seen from nearby; LEAST leaves out faint ones, default 1; or none (default)\n"
     "  --group PART[,PART...]   transparent parts that show through each other; several --group are several groups\n"
     "  --group-distance D       only where closer than D along the view\n"
     "  --enter SHADE            darken opaque parts where they enter transparent ones, 0 to 1\n"
@@ -547,6 +549,18 @@ static int set_transfer(options *o, const char *value) {
     }
 }
 
+static int set_contours(options *o, const char *value) {
+    static const char *const words[] = {"none", "suggestive", NULL};
+    size_t length = strcspn(value, ":");
+    int word = read_word(value, length, words);
+    double least = -1;
+    const char *number = value + length + (value[length] ? 1 : 0);
+    if (word < 0 || (value[length] && (word == 0 || !read_number(number, strlen(number), 1e-6, 1e6, &least))))
+        return misused("--contours %s: there are none, suggestive and suggestive:LEAST with 1e-6 to 1e6", value);
+    o->job.contours = word ? least : 0;
+    return DONE;
+}
+
 static int set_enter(options *o, const char *value) {
     double shade;
     if (!read_number(value, strlen(value), 0, 1, &shade))
@@ -701,6 +715,7 @@ static const option OPTIONS[] = {{"--output", true, set_output},
                                  {"--neighbours", true, set_neighbours},
                                  {"--halo", true, set_halo},
                                  {"--transfer", true, set_transfer},
+                                 {"--contours", true, set_contours},
                                  {"--group", true, set_group},
                                  {"--group-distance", true, set_group_distance},
                                  {"--enter", true, set_enter},

@@ -1273,6 +1273,10 @@ static bool has_opaque(const renderer *r) {
     return false;
 }
 
+static bool contours_are_drawn(const illustrate_job *job) {
+    return job->contours != 0;
+}
+
 static bool start_glass(renderer *r, oit_proc (*get_proc)(const char *)) {
     oit_desc desc;
     oit_result result;
@@ -1289,6 +1293,8 @@ static bool start_glass(renderer *r, oit_proc (*get_proc)(const char *)) {
         desc.operators = r->job->iterations < 0 ? OIT_OPERATE_LINKS | OIT_OPERATE_LAW : OIT_OPERATE_SMART;
     if (r->job->style == STYLE_CURVATURE)
         desc.operators = OIT_OPERATE_CURVATURE | (r->job->law == LAW_DISTANCE ? OIT_OPERATE_SMART : 0);
+    if (r->job->style != STYLE_GLASS && contours_are_drawn(r->job))
+        desc.operators |= OIT_OPERATE_CONTOURS;
     desc.ceiling_bytes = r->job->style == STYLE_GLASS ? 0 : (int64_t)2 << 30; /* operators need all of a tile at once */
     r->oit = oit_create(&desc, &result);
     if (!r->oit)
@@ -1419,6 +1425,15 @@ static oit_operator smart_operator(const illustrate_job *job) {
     return op;
 }
 
+static void add_contours(const illustrate_job *job, oit_curvature *curvature) {
+    if (!contours_are_drawn(job))
+        return;
+    curvature->contours = OIT_CONTOURS_SUGGESTIVE;
+    curvature->contour_width = 1.2f * (float)job->quality;
+    curvature->contour_iterations = 64 * job->quality * job->quality; /* 4 pixels of the result */
+    curvature->contour_least = (float)fmax(job->contours, 0);
+}
+
 static oit_operator curvature_operator(const renderer *r) {
     const illustrate_job *job = r->job;
     bool none = !(job->shade_convex || job->shade_curved || job->opacity_front || job->opacity_deep || job->shades ||
@@ -1427,6 +1442,9 @@ static oit_operator curvature_operator(const renderer *r) {
     memset(&op, 0, sizeof op);
     op.kind = OIT_RUN_CURVATURE;
     op.curvature.unit = (float)(0.06 * r->radius); /* radii of a tenth of the scene bend well */
+    add_contours(job, &op.curvature);
+    if (r->style == STYLE_SMART) /* contours alone */
+        return op;
     op.curvature.shade = job->shade_curved           ? OIT_SHADE_CURVED
                          : job->shade_convex || none ? OIT_SHADE_CONVEX
                                                      : OIT_SHADE_NONE;
@@ -1466,7 +1484,7 @@ static oit_result operate(renderer *r) {
         ops[count++] = smart_operator(r->job);
     if (late) /* by the distances that SMART has found */
         ops[count++] = law_operator(r->job);
-    if (r->style == STYLE_CURVATURE)
+    if (r->style == STYLE_CURVATURE || contours_are_drawn(r->job))
         ops[count++] = curvature_operator(r);
     oit_result result = OIT_OK;
     for (size_t i = 0; i < count && result == OIT_OK; ++i) {

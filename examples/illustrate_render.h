@@ -91,7 +91,9 @@ typedef struct illustrate_job {
     double halo;    /* the same of halos; 0: 5, negative: none */
     bool shade_convex, shade_curved, opacity_front, opacity_deep; /* STYLE_CURVATURE: presets; none: convex and deep */
     const float *shades, *opacities;                              /* instead, where not NULL: oit_curvature's arrays */
-    float enter;           /* shade taken from opaque parts where they enter transparent ones, 0 to 1 */
+    double contours; /* STYLE_SMART, STYLE_CURVATURE: the least rise of suggestive ones, radii of the scene to the power
+                        -2; 0: none, negative: 1 */
+    float enter;     /* shade taken from opaque parts where they enter transparent ones, 0 to 1 */
     bool explain, verbose; /* explain: fill explain_json; verbose: lines about the path taken may go to stderr */
     void (*progress)(const char *what, double fraction, void *user); /* may be NULL; fraction 0 to 1 */
     void *user;

@@ -19,19 +19,28 @@ uint oit_pairs = 0u;
 struct oit_side // of a pair: the one that looks
 {
     float depth, predicted; // window depth, and distance along the view that its slope makes for the pixel beside
+    float ahead;            // what the slope adds to the depth on the way there
+    uint direction;
     vec3 normal;
     vec2 uv;
     uint part;
 };
 
+float oit_ahead(uint at, uint direction)
+{
+    vec2 slope = unpackHalf2x16(OIT_WORD(at, OIT_AT_SLOPE)) * (1.0 / 4096.0);
+    float ahead = direction < 2u ? slope.x : slope.y;
+    return (direction & 1u) != 0u ? ahead : -ahead;
+}
+
 oit_side oit_look(uint slot, uint direction)
 {
     uint at = oit_record(slot);
     oit_side side;
-    vec2 slope = unpackHalf2x16(OIT_WORD(at, OIT_AT_SLOPE)) * (1.0 / 4096.0);
-    float ahead = direction < 2u ? slope.x : slope.y;
     side.depth = oit_record_window_depth(at);
-    side.predicted = oit_distance(side.depth + ((direction & 1u) != 0u ? ahead : -ahead));
+    side.direction = direction;
+    side.ahead = oit_ahead(at, direction);
+    side.predicted = oit_distance(side.depth + side.ahead);
     side.normal = oit_record_normal(at);
     side.part = OIT_WORD(at, OIT_AT_PART);
     side.uv = vec2(0.0);
@@ -60,9 +69,21 @@ bool oit_may_join(oit_side side, uint at)
     return OIT_WORD(at, OIT_AT_PART) == side.part && oit_record_blend(at) == 0u;
 }
 
+// Within the limit of what its slope predicts, or where a surface is found whose slope changes steadily from the one's to
+// the other's: between what the two slopes say. So a surface holds together where it is seen at a grazing angle, and
+// beyond the limit nothing is glued to what lies behind it and slopes alike.
+bool oit_is_continuous(oit_side side, uint at, float apart)
+{
+    if (apart <= OIT_LIMIT_APART)
+        return true;
+    float rise = oit_record_window_depth(at) - side.depth;
+    return (rise > side.ahead) != (rise > oit_ahead(at, side.direction));
+}
+
 float oit_measure_by_depth(oit_side side, uint at, float apart)
 {
-    return apart <= OIT_LIMIT_APART ? OIT_DEPTH_WEIGHT * apart + OIT_NORMAL_WEIGHT * oit_bend(side, at) : OIT_NEVER;
+    return oit_is_continuous(side, at, apart) ? OIT_DEPTH_WEIGHT * apart + OIT_NORMAL_WEIGHT * oit_bend(side, at)
+                                              : OIT_NEVER;
 }
 
 float oit_measure(oit_side side, uint slot)
@@ -144,7 +165,7 @@ uint oit_best_within(oit_side side, uint first, uint n, inout uint from)
     for (;;) {
         bool back = gap_before < gap_behind;
         float gap = back ? gap_before : gap_behind;
-        if (!(gap <= OIT_LIMIT_APART) || OIT_DEPTH_WEIGHT * gap > least || (back ? before : behind) >= n)
+        if (OIT_DEPTH_WEIGHT * gap > least || (back ? before : behind) >= n)
             return best;
         uint i = back ? before : behind, at = oit_record(first + i);
         float measure = oit_may_join(side, at) ? oit_measure_by_depth(side, at, gap) : OIT_NEVER;

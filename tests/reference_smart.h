@@ -12,6 +12,7 @@
  *  - Equation 1 predicts a depth that is linear in the window: that is exact for planes in window depth, also under
  *    perspective. Predicted and found depth are compared as distances along the view, in units of the radius.
  *  - The continuity limit is one of depth (or of parameters): a pair farther apart than that is no candidate at all.
+ *    Except for what lies between the predictions of both slopes: see ref_smart_is_continuous.
  *  - A direction that leaves the image has no link, and nothing is missing there: the frame of a picture is no silhouette.
  *  - Layer indices count surface fragments. A neighbour's index is greater for one of three reasons: a surface begins
  *    between the two pixels, one ends, or two that are linked swap order. The last is left out of the difference.
@@ -111,24 +112,42 @@ static inline double ref_smart_dot(const double a[3], const double b[3]) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
+static inline double ref_smart_ahead(const ref_smart_fragment *f, int direction) {
+    return f->slope[direction / 2] * (direction % 2 ? 1 : -1);
+}
+
+/* Distance in radii between what a fragment predicts for the pixel in that direction, and what was found there. */
+static inline double ref_smart_error(const ref_smart_links *links, const ref_smart_fragment *f,
+                                     const ref_smart_fragment *found, int direction) {
+    return fabs(ref_smart_distance(links->projection, f->depth + ref_smart_ahead(f, direction)) -
+                ref_smart_distance(links->projection, found->depth)) /
+           links->radius;
+}
+
+/* Within the limit of what i predicts. Or, by the mean value theorem, where a surface may be whose slope goes steadily
+ * from that of i to that of j: its depth rises by no less than the one says and by no more than the other. */
+static inline bool ref_smart_is_continuous(const ref_smart_links *links, const ref_smart_fragment *i,
+                                           const ref_smart_fragment *j, int direction) {
+    double rise = j->depth - i->depth, own = ref_smart_ahead(i, direction), other = ref_smart_ahead(j, direction);
+    return ref_smart_error(links, i, j, direction) <= links->limit ||
+           (fmin(own, other) <= rise && rise <= fmax(own, other));
+}
+
 /* Equations 1 to 3, or what stands in for them; infinite for what cannot be joined. */
 static inline double ref_smart_measure(const ref_smart_links *links, const ref_smart_fragment *i,
                                        const ref_smart_fragment *j, int direction) {
     if (i->kind != REF_SMART_SURFACE || j->kind != REF_SMART_SURFACE || i->part != j->part)
         return REF_SMART_NEVER;
-    double ahead = i->slope[direction / 2] * (direction % 2 ? 1 : -1), bend = 1 - ref_smart_dot(i->normal, j->normal);
+    double bend = 1 - ref_smart_dot(i->normal, j->normal);
     if (links->criterion == REF_SMART_BY_UV) {
         double apart = hypot(i->uv[0] - j->uv[0], i->uv[1] - j->uv[1]);
         return apart <= links->limit ? apart : REF_SMART_NEVER;
     }
     if (links->criterion == REF_SMART_MURRAY)
         return bend + (i->depth - j->depth) * (i->depth - j->depth);
-    double apart = fabs(ref_smart_distance(links->projection, i->depth + ahead) -
-                        ref_smart_distance(links->projection, j->depth)) /
-                   links->radius;
-    if (links->criterion == REF_SMART_BY_DEPTH && !(apart <= links->limit))
+    if (links->criterion == REF_SMART_BY_DEPTH && !ref_smart_is_continuous(links, i, j, direction))
         return REF_SMART_NEVER;
-    return links->depth_weight * apart + links->normal_weight * bend;
+    return links->depth_weight * ref_smart_error(links, i, j, direction) + links->normal_weight * bend;
 }
 
 /* The one of the `count` from `list` on that i likes best; -1: none. */
