@@ -103,6 +103,8 @@ FAKE(BlendEquationSeparate, (U a, U b), (void)a; (void)b;)
 FAKE(BlendEquationSeparatei, (U a, U b, U c), (void)a; (void)b; (void)c;)
 FAKE(BlendFuncSeparate, (U a, U b, U c, U d), (void)a; (void)b; (void)c; (void)d;)
 FAKE(BlendFuncSeparatei, (U a, U b, U c, U d, U e), (void)a; (void)b; (void)c; (void)d; (void)e;)
+FAKE(BlitFramebuffer, (I a, I b, I c, I d, I e, I f, I g, I h, U i, U j), (void)a; (void)b; (void)c; (void)d; (void)e;
+     (void)f; (void)g; (void)h; (void)i; (void)j;)
 FAKE(BufferData, (U a, ptrdiff_t b, const void *c, U d), (void)a; (void)b; (void)c; (void)d;)
 FAKE(BufferSubData, (U a, ptrdiff_t b, ptrdiff_t c, const void *d), (void)a; (void)b; (void)c; (void)d;)
 FAKE(ClearBufferfv, (U a, I b, const float *c), (void)a; (void)b; (void)c;)
@@ -143,6 +145,13 @@ FAKE(GenVertexArrays, (I a, U *b), generate(ARRAYS, a, b);)
 FAKE(GetBooleanv, (U a, B *b), (void)a; memset(b, 1, 4);)
 FAKE(GetBooleani_v, (U a, U b, B *c), (void)a; (void)b; memset(c, 1, 4);)
 FAKE(GetFloatv, (U a, float *b), (void)a; b[0] = 0; b[1] = 1;)
+/* Attachments of a target of 24 bits of depth and 8 of stencil in one. */
+FAKE(GetFramebufferAttachmentParameteriv, (U a, U b, U c, I *d), (void)a; *d = c == 0x8CD0u   ? 0x1702
+                                                                               : c == 0x8CD1u ? 1
+                                                                               : c == 0x8216u ? driver.depth_bits
+                                                                               : c == 0x8217u ? 8
+                                                                               : c == 0x8210u ? 0x2601
+                                                                                              : (b, 0x8C17);)
 FAKE(GetTexLevelParameteriv, (U a, I b, U c, I *d), (void)a; (void)b; *d = c == 0x1000u ? driver.width : driver.height;)
 FAKE(GetInteger64i_v, (U a, U b, int64_t *c), (void)a; (void)b; *c = 0;)
 FAKE(GetIntegeri_v, (U a, U b, I *c), (void)a; (void)b; *c = 0;)
