@@ -668,8 +668,8 @@ typedef struct tr_dynamic {
     float alpha_target;     /* opacity left before a target, in [0,1]; 0: 0.3; negative: 0 */
     float alpha_start;      /* and beside it, from where it rises to 1; 0: 0.1; negative: 0 */
     float width;            /* pixels in which it rises, at most TR_MAX_MASK_WIDTH; 0: 12; negative: none */
-    int mask_divisor;       /* pixels a mask texel, 1, 2, 4 or 8; 0: 2, of TR_SEE_EXACT 1. The target's own pixels are
-                               always as drawn */
+    int mask_divisor;       /* pixels a mask texel, 1, 2, 4 or 8; 0: 4, of the sequences 2, of TR_SEE_EXACT 1. The
+                               target's own pixels are always as drawn */
     int layers;             /* layer control: only so many layers, from the eye, become transparent; 0: all */
     const tr_light *lights; /* of active targets; at most TR_MAX_LIGHTS */
     size_t light_count;
@@ -4601,7 +4601,10 @@ static tr_i_law tr_i_law_of(const tr_dynamic *dynamic) {
     law.target = dynamic->alpha_target == 0.0f ? 0.3f : tr_i_clamp01(dynamic->alpha_target);
     law.start = dynamic->alpha_start == 0.0f ? 0.1f : tr_i_clamp01(dynamic->alpha_start);
     law.width = dynamic->width == 0.0f ? 12.0f : dynamic->width > 0.0f ? dynamic->width : 0.0f;
-    law.divisor = dynamic->mask_divisor ? dynamic->mask_divisor : dynamic->see == TR_SEE_EXACT ? 1 : 2;
+    law.divisor = dynamic->mask_divisor                                              ? dynamic->mask_divisor
+                  : dynamic->see == TR_SEE_ONE_MASK || dynamic->see == TR_SEE_DITHER ? 4
+                  : dynamic->see == TR_SEE_EXACT                                     ? 1
+                                                                                     : 2;
     law.reach = law.width > 0.0f ? (int)ceil((double)law.width) + 1 : 0;
     return law;
 }
