@@ -3522,6 +3522,7 @@ enum {
     TR_I_SEE_FBO_PRIME,
     TR_I_SEE_FBO_TAKE_TARGETS,
     TR_I_SEE_FBO_TAKE_BASE,
+    TR_I_SEE_FBO_TAKE_COLOR,
     TR_I_SEE_FBO_MARKS,
     TR_I_SEE_FBO_COUNT
 };
@@ -4811,6 +4812,7 @@ static tr_see_pass *tr_i_add_see_pass(tr_see_plan *plan, tr_pass_kind kind, tr_r
     pass->rule = rule;
     pass->unit_count = (uint32_t)units;
     pass->why = why;
+    pass->times = 0;
     return pass;
 }
 
@@ -4837,8 +4839,9 @@ static void tr_i_plan_base(tr_i_see *see) {
         tr_i_add_part(see, TR_PASS_TAKE, TR_RULE_SEE_PLAIN, TR_I_UNITS_TARGETS, "their depth");
     tr_i_add_part(see, TR_PASS_SCENE, TR_RULE_SEE_PLAIN, TR_I_UNITS_BLOCK, "what closes masks, as ever");
     tr_i_add_part(see, TR_PASS_TAKE, TR_RULE_SEE_PLAIN, block ? TR_I_UNITS_BLOCK : TR_I_UNITS_TARGETS,
-                  see->plan.see == TR_SEE_DITHER ? "depth of what never yields"
-                                                 : "what never yields: depth and colour");
+                  "depth of what never yields");
+    if (see->plan.see == TR_SEE_ONE_MASK)
+        tr_i_add_part(see, TR_PASS_TAKE, TR_RULE_SEE_PLAIN, TR_I_UNITS_ALL, "its colour");
 }
 
 /* One mask for all targets, with depth. */
@@ -4878,11 +4881,13 @@ static void tr_i_plan_one_mask(tr_i_see *see, const tr_dynamic *dynamic) {
                           "the whole scene, as ever");
     }
     tr_i_plan_masks(see, dynamic);
-    tr_i_add_see_pass(plan, TR_PASS_PRIME, TR_RULE_SEE_PLAIN, 0, "so that nothing is shaded outside of masks");
-    tr_i_make_regions(&see->grid);
-    tr_i_add_see_pass(plan, TR_PASS_BEHIND, TR_RULE_SEE_BEHIND, see->counts[TR_I_UNITS_BEHIND],
-                      "what shows through masks")
-        ->times = (uint32_t)see->grid.region_count;
+    if (see->counts[TR_I_UNITS_BEHIND] || !plan->in_parts) { /* else what was copied is all there is */
+        tr_i_make_regions(&see->grid);
+        tr_i_add_see_pass(plan, TR_PASS_PRIME, TR_RULE_SEE_PLAIN, 0, "so that nothing is shaded outside of masks");
+        tr_i_add_see_pass(plan, TR_PASS_BEHIND, TR_RULE_SEE_BEHIND, see->counts[TR_I_UNITS_BEHIND],
+                          "what shows through masks")
+            ->times = (uint32_t)see->grid.region_count;
+    }
     if (see->partial) {
         tr_i_add_see_pass(plan, TR_PASS_PRIME, TR_RULE_SEE_PLAIN, 0, "once more");
         tr_i_add_see_pass(plan, TR_PASS_YIELD, TR_RULE_SEE_YIELD, see->counts[TR_I_UNITS_MASKED],
@@ -6937,6 +6942,7 @@ static void tr_i_see_attached(int fbo, int out[2]) {
                                                                 {-1, TR_I_SEE_DEPTH},
                                                                 {-1, TR_I_SEE_TARGET_DEPTH},
                                                                 {-1, TR_I_SEE_BASE_DEPTH},
+                                                                {TR_I_SEE_BEHIND, -1},
                                                                 {TR_I_SEE_MARK, TR_I_SEE_BASE_DEPTH}};
     out[0] = attached[fbo][0];
     out[1] = attached[fbo][1];
@@ -6961,9 +6967,10 @@ static int tr_i_see_fbo_of(const tr_i_see *see, int index) {
         return plan->passes[index + 1].kind == TR_PASS_YIELD ? TR_I_SEE_FBO_YIELD
                : see->colored || plan->in_parts              ? TR_I_SEE_FBO_PRIME
                                                              : TR_I_SEE_FBO_BEHIND;
-    case TR_PASS_TAKE: /* what is copied last holds all */
-        return see->units_of[index] == TR_I_UNITS_TARGETS && see->counts[TR_I_UNITS_BLOCK] ? TR_I_SEE_FBO_TAKE_TARGETS
-                                                                                           : TR_I_SEE_FBO_TAKE_BASE;
+    case TR_PASS_TAKE: /* depth that is copied last is that of all */
+        return see->units_of[index] == TR_I_UNITS_ALL                                        ? TR_I_SEE_FBO_TAKE_COLOR
+               : see->units_of[index] == TR_I_UNITS_TARGETS && see->counts[TR_I_UNITS_BLOCK] ? TR_I_SEE_FBO_TAKE_TARGETS
+                                                                                             : TR_I_SEE_FBO_TAKE_BASE;
     case TR_PASS_BEHIND:
         return TR_I_SEE_FBO_BEHIND;
     case TR_PASS_YIELD:
@@ -9933,30 +9940,27 @@ static int tr_i_next_step(tr_context *tr, tr_pass *pass) {
 
 /* ---- dynamic transparency: the passes of all rungs ---- */
 
-/* Copies what the host has drawn so far to where a pass of the plan says. Between parts of the scene: the host's state stays. */
+/* Copies what the host has drawn so far, depth or colour, to where a pass of the plan says. Between parts of the scene: the
+   host's state stays. */
 static void tr_i_take(tr_context *tr, int index) {
     const tr_i_gl *gl = &tr->gl;
-    const tr_i_see *see = &tr->see;
-    const int *box = see->plan.rectangle;
-    int fbo = tr_i_see_fbo_of(see, index), x = tr->frame.x, y = tr->frame.y;
+    const int *box = tr->see.plan.rectangle;
+    int fbo = tr_i_see_fbo_of(&tr->see, index), x = tr->frame.x, y = tr->frame.y;
     int x1 = box[0] + box[2], y1 = box[1] + box[3];
-    tr_i_u depth = TR_I_GL_DEPTH_BUFFER_BIT | (tr_i_depths[see->held_depth].stencil ? TR_I_GL_STENCIL_BUFFER_BIT : 0u);
+    tr_i_u what = fbo == TR_I_SEE_FBO_TAKE_COLOR ? TR_I_GL_COLOR_BUFFER_BIT : TR_I_GL_DEPTH_BUFFER_BIT;
     int32_t drawn = 0, read = 0;
+    if (what == TR_I_GL_DEPTH_BUFFER_BIT && tr_i_depths[tr->see.held_depth].stencil)
+        what |= TR_I_GL_STENCIL_BUFFER_BIT; /* both at once are moved as they are */
     tr_i_save(tr, &tr->saved);
     gl->Disable(TR_I_GL_SCISSOR_TEST);
     gl->BindFramebuffer(TR_I_GL_DRAW_FRAMEBUFFER, tr->frame.framebuffer);
     gl->BindFramebuffer(TR_I_GL_READ_FRAMEBUFFER, tr->frame.framebuffer);
     gl->GetIntegerv(TR_I_GL_DRAW_BUFFER0, &drawn);
     gl->GetIntegerv(TR_I_GL_READ_BUFFER, &read);
-    gl->BindFramebuffer(TR_I_GL_DRAW_FRAMEBUFFER, see->fbos[fbo]);
-    gl->BlitFramebuffer(x + box[0], y + box[1], x + x1, y + y1, box[0], box[1], x1, y1, depth, TR_I_GL_NEAREST);
-    if (see->plan.see == TR_SEE_ONE_MASK && fbo == TR_I_SEE_FBO_TAKE_BASE) {
-        gl->ReadBuffer((tr_i_u)drawn);
-        gl->BindFramebuffer(TR_I_GL_DRAW_FRAMEBUFFER, see->fbos[TR_I_SEE_FBO_BEHIND]);
-        gl->BlitFramebuffer(x + box[0], y + box[1], x + x1, y + y1, box[0], box[1], x1, y1, TR_I_GL_COLOR_BUFFER_BIT,
-                            TR_I_GL_NEAREST);
-        gl->ReadBuffer((tr_i_u)read);
-    }
+    gl->ReadBuffer((tr_i_u)drawn);
+    gl->BindFramebuffer(TR_I_GL_DRAW_FRAMEBUFFER, tr->see.fbos[fbo]);
+    gl->BlitFramebuffer(x + box[0], y + box[1], x + x1, y + y1, box[0], box[1], x1, y1, what, TR_I_GL_NEAREST);
+    gl->ReadBuffer((tr_i_u)read);
     tr_i_restore(tr, &tr->saved);
 }
 
