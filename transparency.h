@@ -4789,6 +4789,9 @@ static const char *tr_i_why_whole(tr_context *tr, const tr_dynamic *dynamic) {
         return "this rung draws each unit in its turn";
     if (tr->desc.state == TR_STATE_NONE)
         return "TR_STATE_NONE: a copy is none of the host's draws";
+    if (tr->see.marked &&
+        (tr->frame.x != 0 || tr->frame.y != 0)) /* depths of the same triangles would be rounded apart */
+        return "lights, fading, importances or queries, and a viewport that is not at the target's corner";
     tr->gl.GetIntegerv(TR_I_GL_DRAW_FRAMEBUFFER_BINDING, &bound);
     tr->gl.BindFramebuffer(TR_I_GL_DRAW_FRAMEBUFFER, tr->frame.framebuffer);
     tr->gl.GetIntegerv(TR_I_GL_DRAW_FRAMEBUFFER_BINDING, &found);
@@ -4978,9 +4981,10 @@ static void tr_i_plan_whole(tr_context *tr, const tr_dynamic *dynamic) {
     tr_i_see *see = &tr->see;
     if (!dynamic->in_parts || dynamic->see == TR_SEE_OFF || see->counts[TR_I_UNITS_TARGETS] == 0)
         return;
+    see->marked = tr_i_is_marked(see, dynamic);
     see->plan.parts_why = tr_i_why_whole(tr, dynamic);
     see->plan.in_parts = see->plan.parts_why == 0;
-    see->marked = see->plan.in_parts && tr_i_is_marked(see, dynamic);
+    see->marked = see->marked && see->plan.in_parts;
     see->colored = see->colored && !see->plan.in_parts;
 }
 
