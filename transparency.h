@@ -4644,7 +4644,7 @@ static int tr_i_yields(const tr_unit *unit) {
 static void tr_i_clear_grid(tr_i_grid *grid) {
     float none = tr_i_infinite();
     int i;
-    for (i = 0; i < TR_I_CELLS * grid->rows; ++i) {
+    for (i = 0; i < TR_I_CELLS * TR_I_CELLS; ++i) {
         grid->nearest_yielding[i] = grid->nearest_target[i] = none;
         grid->farthest_target[i] = -none;
     }
