@@ -372,6 +372,46 @@ static void parts_are_those_called_for(void **state) {
     }
 }
 
+/* Two targets far apart, each between a tree and a rock: what shows through is drawn in two regions, each with its own. */
+static void regions_draw_what_they_meet(void **state) {
+    (void)state;
+    for (int in_parts = 0; in_parts < 2; ++in_parts) {
+        tr_context *tr = open_context(TR_STATE_RESTORE, NULL);
+        setting s = make_setting();
+        tr_unit many[6];
+        tr_pass pass;
+        int regions = 0, right = 0;
+        for (int i = 0; i < 6; ++i) {
+            many[i] = s.units[i % 3];
+            many[i].id = (uint32_t)i + 1;
+            many[i].flags = i % 3 == TARGET ? TR_UNIT_TARGET : 0;
+            many[i].radius = 0.5f;
+            many[i].center[0] = -0.5f * many[i].center[2] * (i < 3 ? -1.0f : 1.0f);
+            many[i].center[1] = 0.3f * many[i].center[2] * (i < 3 ? -1.0f : 1.0f);
+        }
+        s.dynamic.units = many;
+        s.dynamic.unit_count = 6;
+        s.dynamic.in_parts = in_parts;
+        assert_int_equal(tr_begin_dynamic(tr, &s.frame, &s.dynamic), TR_OK);
+        while (tr_next_pass(tr, &pass)) {
+            if (pass.kind != TR_PASS_BEHIND)
+                continue;
+            ++regions;
+            assert_true(pass.unit_count == 1 && pass.units[0] % 3 == GROUND);
+            right += pass.units[0] == 5;
+            /* The right one is on the right, and neither covers what lies between. */
+            assert_true(pass.units[0] == 5 ? pass.state.scissor[0] > 320
+                                           : pass.state.scissor[0] + pass.state.scissor[2] < 320);
+        }
+        assert_int_equal(tr_end(tr), TR_OK);
+        assert_int_equal(regions, 2);
+        assert_int_equal(right, 1);
+        assert_int_equal(times_of(tr, TR_PASS_BEHIND), 2);
+        tr_destroy(tr);
+        assert_nothing_left();
+    }
+}
+
 static void sample_the_target(setting *s) {
     (void)s;
     driver.samples = 4;
@@ -1146,6 +1186,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(plain_drawing_calls_nothing),
         cmocka_unit_test(parts_are_those_called_for),
+        cmocka_unit_test(regions_draw_what_they_meet),
         cmocka_unit_test(what_cannot_be_copied_comes_whole),
         cmocka_unit_test(parts_of_plain_drawing_call_nothing),
         cmocka_unit_test(bytes_of_parts),
