@@ -206,14 +206,20 @@
      frame_index: for deferred pipelines (draw your G-buffer in TR_PASS_SCENE, and depth is right) and with temporal
      anti-aliasing. Both sort nothing, and cost the same for one target and for a thousand but for what is covered.
    - Where no target is in view, or nothing that yields lies before one, TR_PASS_SCENE is all there is and no GL call is made.
+   - In parts: hosts that clear before tr_begin_dynamic, and draw in TR_PASS_SCENE as in any other pass no unit but
+     pass.units, set dynamic.in_parts. Then TR_PASS_SCENE comes several times, by TR_RULE_SEE_PLAIN with the host's own
+     programs into its own target: targets, what never yields, the rest; depth and colour are copied in between, so that
+     TR_SEE_ONE_MASK draws again what shows through and nothing else, and TR_SEE_DITHER draws each unit once, most of them
+     without the discard. The picture is the same. What the target has to be for it: tr_begin_dynamic.
    - Search lights: targets with TR_UNIT_ACTIVE are seen inside of dynamic.lights only. Coming and going: tr_advance(), with
      wanted 1 for what shall fade out; it is the mask that fades, not the unit.
    - tr_query_hidden() tells how much of each target is hidden, two or three frames late, without waiting.
    - Two-sided materials: passes cull back faces, as pass.state says; switch that off and on again around what has two sides.
    - State: before TR_PASS_SCENE it is the host's, see tr_begin_dynamic; in the other passes it is ours, as in any sequence.
-   - Memory: 16.6 bytes of textures a pixel with masks at half the resolution, 4 more for TR_SEE_ONE_MASK, 1 more where
-     some importance of a distractor is neither 0 nor 1 (tr_see_plan.bytes). Lists of units, 44 bytes each, and the answers
-     of queries, half a megabyte, are a second and a third block on the heap; tr_release gives all of it back.
+   - Memory: 14.9 bytes of textures a pixel with masks at a quarter of the resolution; TR_SEE_ONE_MASK with lights or
+     queries 4 more, in parts 8 more; 1 more where some importance of a distractor is neither 0 nor 1
+     (tr_see_plan.bytes). Lists of units, 52 bytes each, and the answers of
+     queries, half a megabyte, are a second and a third block on the heap; tr_release gives all of it back.
    - Limits: the nearest of several targets at a pixel owns it, so that what is before the others is cut for the nearest
      alone. Behind an occluder other faces of the same object may show beside a target. What shows through passes through 8
      bits; with TR_WISH_SRGB through sRGB ones. Of multisampled targets the mask is a pixel's. Errors, prices and where
