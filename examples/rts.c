@@ -446,6 +446,7 @@ static tr_dynamic wish_of(const stage *s, tr_light *light) {
     wish.alpha_start = wished(o->alpha_start);
     wish.width = wished(o->mask_width * o->quality);
     wish.mask_divisor = o->mask_divisor;
+    wish.in_parts = 1; /* cleared before, and passes draw what they ask for */
     wish.layers = o->layers;
     wish.lights = light;
     wish.light_count = o->active;
