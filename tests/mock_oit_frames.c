@@ -1385,7 +1385,7 @@ static void test_each_barrier_of_operators_is_needed(void **state) {
         oit_context *oit = make(operator_descs[i]);
         U program = host_operator(oit);
         set_totals(64 * 48 * 2, 200);
-        for (int which = 0; which < VARIANTS; ++which) {
+        for (int which = 0; which < VARIANTS; which += i ? 5 : 1) {
             for (int warm = 0; warm < 4; ++warm) { /* what is made, or grows, once */
                 driver.barriers = 0;
                 assert_int_equal(operate_frame(oit, EVERY_KIND, which, program, NULL), OIT_OK);
