@@ -1328,6 +1328,8 @@ static const char *const oit_i_shader_oit_contour_glsl[] = {
     "}\n"
     "\n"
     "#ifndef OIT_COMPOSES\n"
+    "// Beside silhouettes curvatures without bound would be smoothed into their surroundings: k becomes k / (1 + |k| r / 10),\n"
+    "// which keeps zeros, and slopes there. oit_set[0].w: r / 10.\n"
     "float oit_radial(uint p, uint slot)\n"
     "{\n"
     "    oit_cross c;\n"
@@ -1338,6 +1340,7 @@ static const char *const oit_i_shader_oit_contour_glsl[] = {
     "    vec3 bend = parts.x * (oit_normal(c.slots[1]) - oit_normal(c.slots[0])) +\n"
     "                parts.y * (oit_normal(c.slots[3]) - oit_normal(c.slots[2]));\n"
     "    float radial = dot(bend, toward) / dot(toward, toward);\n"
+    "    radial /= 1.0 + abs(radial) * oit_set[0].w;\n"
     "    return dot(oit_normal(slot), oit_to_eye(oit_device(p))) < 0.0 ? -radial : radial;\n"
     "}\n"
     "#else\n"
@@ -2528,7 +2531,7 @@ static const char *const oit_i_shader_oit_operator_curve_comp[] = {
     "// Curvature of the surface at a fragment, tanh(kappa1 + kappa2) (Murray 2016, section 5.1), and opacity from it. The trace\n"
     "// of the map from steps along the surface to differences of normals: no division by a normal's z, so that grazing normals\n"
     "// are bounded. Without one of the four neighbours -1. OIT_STEP: x: 1: the opacities go to base; oit_set[0]: x: 1 / unit, 0:\n"
-    "// steps are those in the window; y, z: distance to depth. OIT_STEP.y: 1: the curvature toward the eye, too.\n"
+    "// steps are those in the window; y, z: distance to depth; w: as oit_radial says. OIT_STEP.y: 1: the curvature toward the eye, too.\n"
     "layout(location = 16) uniform highp uvec4 oit_opacities[64]; // 16 rows of 32 in 16 bits each\n"
     "\n"
     "float oit_opacity_entry(uint at)\n"
@@ -7279,6 +7282,7 @@ static void oit_i_number_curve(const oit_context *oit, oit_i_numbers *n) {
     n->set[0][0] = oit->curvature.unit > 0.0f ? 1.0f / oit->curvature.unit : 0.0f;
     n->set[0][1] = (float)first;
     n->set[0][2] = last != first ? (float)(1.0 / (last - first)) : 0.0f;
+    n->set[0][3] = 0.1f * oit->link.radius;
 }
 
 /* Radii are those of the link. */
