@@ -533,7 +533,7 @@ OIT_DEF oit_result oit_pick_result(oit_context *oit, int wait, oit_pick *pick);
        LINK        neighbours along the surface, which the three below need
        LAW         the opacity that a fragment starts with, "base"
        SMART       silhouettes strengthened, halos before what lies behind: fields beta and gamma, base made smooth
-       CURVATURE   kappa of each fragment, and opacity and shade from it
+       CURVATURE   kappa of each fragment, and opacity, shade and suggestive contours from it
        HOST        a compute program of the host's
 
    and oit_compose lays a fragment with opacity (1 - gamma)(base + (1 - base) beta) and shade(kappa) times its colour. What
@@ -6780,10 +6780,11 @@ OIT_I_API oit_result oit_begin(oit_context *oit, const oit_frame *frame) {
      size     links, reach read; sizes both, in place: only distances that have come for certain are used     bound
      solve    links read; reach both, in place: see the shader; one field to spare      bound, law, solve
      jump     links, reach read; spare written, which then is reach       bound, jump
-     chain    links, base read; spare written, which then is base         law, chain
-     curve    order, links read; kappa, base written                      mutual
+     chain    links, base or radial read; spare written, which then is that       law, curve, chain
+     curve    order, links read; kappa, base, radial written              mutual
      host     anything read; base and fields of the own pixel, or spare, written      any of these
-     compose  order, base, reach, sizes, beta, gamma, kappa read          any of these; and the next frame's clear and fill
+     compose  order, links, base, reach, sizes, beta, gamma, kappa, radial read
+                                                     any of these; and the next frame's clear and fill
 
    What the CPU maps (report; starts, to cut bands) takes a barrier of buffer updates, and then its fence, or waits. */
 static oit_i_u oit_i_barrier_before(oit_pass_kind kind) {
