@@ -533,7 +533,7 @@ OIT_DEF oit_result oit_pick_result(oit_context *oit, int wait, oit_pick *pick);
        LINK        neighbours along the surface, which the three below need
        LAW         the opacity that a fragment starts with, "base"
        SMART       silhouettes strengthened, halos before what lies behind: fields beta and gamma, base made smooth
-       CURVATURE   kappa of each fragment, and opacity and shade from it
+       CURVATURE   kappa of each fragment, and opacity, shade and suggestive contours from it
        HOST        a compute program of the host's
 
    and oit_compose lays a fragment with opacity (1 - gamma)(base + (1 - base) beta) and shade(kappa) times its colour. What
@@ -1328,6 +1328,8 @@ static const char *const oit_i_shader_oit_contour_glsl[] = {
     "}\n"
     "\n"
     "#ifndef OIT_COMPOSES\n"
+    "// Beside silhouettes curvatures without bound would be smoothed into their surroundings: k becomes k / (1 + |k| r / 10),\n"
+    "// which keeps zeros, and slopes there. oit_set[0].w: r / 10.\n"
     "float oit_radial(uint p, uint slot)\n"
     "{\n"
     "    oit_cross c;\n"
@@ -1338,6 +1340,7 @@ static const char *const oit_i_shader_oit_contour_glsl[] = {
     "    vec3 bend = parts.x * (oit_normal(c.slots[1]) - oit_normal(c.slots[0])) +\n"
     "                parts.y * (oit_normal(c.slots[3]) - oit_normal(c.slots[2]));\n"
     "    float radial = dot(bend, toward) / dot(toward, toward);\n"
+    "    radial /= 1.0 + abs(radial) * oit_set[0].w;\n"
     "    return dot(oit_normal(slot), oit_to_eye(oit_device(p))) < 0.0 ? -radial : radial;\n"
     "}\n"
     "#else\n"
@@ -2528,7 +2531,7 @@ static const char *const oit_i_shader_oit_operator_curve_comp[] = {
     "// Curvature of the surface at a fragment, tanh(kappa1 + kappa2) (Murray 2016, section 5.1), and opacity from it. The trace\n"
     "// of the map from steps along the surface to differences of normals: no division by a normal's z, so that grazing normals\n"
     "// are bounded. Without one of the four neighbours -1. OIT_STEP: x: 1: the opacities go to base; oit_set[0]: x: 1 / unit, 0:\n"
-    "// steps are those in the window; y, z: distance to depth. OIT_STEP.y: 1: the curvature toward the eye, too.\n"
+    "// steps are those in the window; y, z: distance to depth; w: as oit_radial says. OIT_STEP.y: 1: the curvature toward the eye, too.\n"
     "layout(location = 16) uniform highp uvec4 oit_opacities[64]; // 16 rows of 32 in 16 bits each\n"
     "\n"
     "float oit_opacity_entry(uint at)\n"
@@ -6777,10 +6780,11 @@ OIT_I_API oit_result oit_begin(oit_context *oit, const oit_frame *frame) {
      size     links, reach read; sizes both, in place: only distances that have come for certain are used     bound
      solve    links read; reach both, in place: see the shader; one field to spare      bound, law, solve
      jump     links, reach read; spare written, which then is reach       bound, jump
-     chain    links, base read; spare written, which then is base         law, chain
-     curve    order, links read; kappa, base written                      mutual
+     chain    links, base or radial read; spare written, which then is that       law, curve, chain
+     curve    order, links read; kappa, base, radial written              mutual
      host     anything read; base and fields of the own pixel, or spare, written      any of these
-     compose  order, base, reach, sizes, beta, gamma, kappa read          any of these; and the next frame's clear and fill
+     compose  order, links, base, reach, sizes, beta, gamma, kappa, radial read
+                                                     any of these; and the next frame's clear and fill
 
    What the CPU maps (report; starts, to cut bands) takes a barrier of buffer updates, and then its fence, or waits. */
 static oit_i_u oit_i_barrier_before(oit_pass_kind kind) {
@@ -7279,6 +7283,7 @@ static void oit_i_number_curve(const oit_context *oit, oit_i_numbers *n) {
     n->set[0][0] = oit->curvature.unit > 0.0f ? 1.0f / oit->curvature.unit : 0.0f;
     n->set[0][1] = (float)first;
     n->set[0][2] = last != first ? (float)(1.0 / (last - first)) : 0.0f;
+    n->set[0][3] = 0.1f * oit->link.radius;
 }
 
 /* Radii are those of the link. */

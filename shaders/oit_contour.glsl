@@ -47,6 +47,8 @@ bool oit_toward(uint p, uint slot, oit_cross c, out vec3 toward, out vec2 parts)
 }
 
 #ifndef OIT_COMPOSES
+// Beside silhouettes curvatures without bound would be smoothed into their surroundings: k becomes k / (1 + |k| r / 10),
+// which keeps zeros, and slopes there. oit_set[0].w: r / 10.
 float oit_radial(uint p, uint slot)
 {
     oit_cross c;
@@ -57,6 +59,7 @@ float oit_radial(uint p, uint slot)
     vec3 bend = parts.x * (oit_normal(c.slots[1]) - oit_normal(c.slots[0])) +
                 parts.y * (oit_normal(c.slots[3]) - oit_normal(c.slots[2]));
     float radial = dot(bend, toward) / dot(toward, toward);
+    radial /= 1.0 + abs(radial) * oit_set[0].w;
     return dot(oit_normal(slot), oit_to_eye(oit_device(p))) < 0.0 ? -radial : radial;
 }
 #else

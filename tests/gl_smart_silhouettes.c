@@ -4,8 +4,9 @@
  * without leaving the surface and without crossing a line. So nothing in front of it or behind it justifies a mark, and no
  * tolerance of depth is needed.
  *
- * A mark is right if a line is within a pixel. A place on a line is found if a mark is within a pixel. Left out are only
- * places of what is narrower than the grid of pixels there: no fragment at all is within a pixel. */
+ * A mark is right if a line is within a pixel. A place on a line is found if a mark is within a pixel, be it past another
+ * line, of a pleat that is narrower. Left out are only places of what is narrower than the grid of pixels there: no
+ * fragment at all is within a pixel. */
 #include "mesh_on_screen.h"
 
 #include "load_model.h"
@@ -297,29 +298,33 @@ static void marks_lie_on_silhouettes(void **state) {
     assert_true(good);
 }
 
+/* Of the last three much is no more than a few pixels wide, or has a second wall nearer behind it than links' limit: they
+ * are told and not judged. */
 static void marks_lie_on_silhouettes_of_real_models(void **state) {
     (void)state;
-    static const char *const files[] = {"../shared/models/spot.obj", "../shared/models/klein_bottle.ply",
-                                        "../shared/models/flow_wingvortex_streamsurface.ply"};
+    static const char *const files[] = {"spot.obj",   "klein_bottle.ply", "flow_wingvortex_streamsurface.ply",
+                                        "hammer.obj", "skull.obj",        "chair_model.obj"};
+    enum { JUDGED = 3 };
     const oit_desc desc = {.operators = OIT_OPERATE_SMART};
     smart_stage t;
     bool good = true;
     smart_stage_open(&t, false, SIZE, desc, MOST);
     for (size_t i = 0; i < sizeof files / sizeof files[0]; ++i) {
-        char message[256];
+        char message[256], path[256] = "../shared/models/";
         load_report report;
-        FILE *file = fopen(files[i], "rb");
+        strcat(path, files[i]);
+        FILE *file = fopen(path, "rb");
         if (!file) {
-            printf("    %s is absent: skipped\n", files[i]);
+            printf("    %s is absent: skipped\n", path);
             continue;
         }
         fclose(file);
-        scene *model = load_model(files[i], &report, message, sizeof message);
+        scene *model = load_model(path, &report, message, sizeof message);
         if (!model)
-            fail_msg("%s: %s", files[i], message);
+            fail_msg("%s: %s", path, message);
         smart_stage_scene(&t, model, 0.3);
         scene_destroy(model);
-        good = judge(&t, strrchr(files[i], '/') + 1) && good;
+        good = (judge(&t, files[i]) || i >= JUDGED) && good;
     }
     smart_stage_close(&t);
     assert_true(good);

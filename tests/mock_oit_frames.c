@@ -1257,7 +1257,8 @@ enum {
     STILL,
     BASE_ALONE,
     LOCAL_BASE,
-    LOCAL_FIELD
+    LOCAL_FIELD,
+    CONTOURS
 };
 
 static const variant variants[] = {
@@ -1274,6 +1275,7 @@ static const variant variants[] = {
     {.name = "base alone", .smart = {.beta = {.iterations = -1}, .gamma = {.iterations = -1}}},
     {.name = "base by the host", .host_iterations = 3, .host_value = OIT_VALUE_BASE},
     {.name = "a field by the host", .host_iterations = 3, .host_value = OIT_VALUE_HOST},
+    {.name = "contours", .curvature = {.contours = OIT_CONTOURS_SUGGESTIVE}},
     {.name = "until stable", .smart = {.jumps = 1, .until_stable = 1}, .distance = 1},
     {.name = "thin, jumps", .smart = {.jumps = 1, .thin = 0.2f}, .law = {.kind = OIT_LAW_ADAPTIVE}},
     {.name = "gamma diffused", .smart = {.gamma = {.process = OIT_PROCESS_DIFFUSION}}, .distance = 1},
@@ -1447,7 +1449,9 @@ static void test_bytes_and_passes_of_operators(void **state) {
         {OIT_OPERATE_LINKS | OIT_OPERATE_BUCKETS, 0, LINK, BUCKETED, 24, 3, 5, 1 + 1 + 4 + 1}, /* group */
         {OIT_OPERATE_CURVATURE, 0, LINK | SMART, PLAIN, 24, 4, 0, 0},                          /* SMART is not chosen */
         {OIT_OPERATE_CURVATURE, 0, LINK | CURVE, PLAIN, 24, 4, 5, 4},
-        {OIT_OPERATE_SMART, 0, LINK | SMART, PLAIN, 24, 5, 7, 3 + 2 + 20}, /* + given, bound, 20 iterations */
+        {OIT_OPERATE_CONTOURS, 0, LINK | CURVE, PLAIN, 24, 6, 5, 4},        /* chosen, not asked for */
+        {OIT_OPERATE_CONTOURS, 0, LINK | CURVE, CONTOURS, 24, 6, 6, 4 + 6}, /* 64 steps: three pairs of chains */
+        {OIT_OPERATE_SMART, 0, LINK | SMART, PLAIN, 24, 5, 7, 3 + 2 + 20},  /* + given, bound, 20 iterations */
         {OIT_OPERATE_SMART, 0, LINK | LAW | SMART, PLAIN, 24, 5, 7, 3 + 2 + 20},
         {OIT_OPERATE_SMART, 0, LINK | SMART, STILL, 24, 5, 6, 3 + 2},
         {OIT_OPERATE_SMART, 0, LINK | SMART, BASE_ALONE, 24, 5, 7, 3 + 2 + 20},
@@ -1629,7 +1633,7 @@ static void test_operators_refused_at_creation(void **state) {
         oit_desc desc;
         const char *text;
     } cases[] = {
-        {{.operators = 256}, "operators has bits"},
+        {{.operators = 512}, "operators has bits"},
         {{.operator_fields = 5}, "operator_fields"},
         {{.operators = 1, .store = OIT_STORE_FETCH}, ""},
         {{.operators = 1, .fields = OIT_FIELD_COVERAGE}, "OIT_FIELD_COVERAGE"},
