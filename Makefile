@@ -56,7 +56,7 @@ help: ## list these targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## /{printf "make %-16s %s\n", $$1, $$2}' Makefile
 
 demo: deps ## render at least six pictures into build/gallery
-	$(build) build/illustrate build/rts
+	$(build) build/illustrate build/rts build/sheet
 	@tools/gallery build/illustrate build/rts build/gallery
 
 test: deps ## build and run all tests
