@@ -500,6 +500,16 @@ static void bytes_of_parts(void **state) {
                                               : (8u + 6u) * w * h;
             assert_int_equal(tr_get_info(tr).see_plan->bytes, bytes);
         }
+        driver.depth_bits = 24;
+        run_dynamic(tr, &s);
+        uint64_t before = tr_get_info(tr).see_plan->bytes;
+        driver.depth_bits = 32; /* of floats, with stencil: 8 bytes */
+        driver.component_type = 0x1406u;
+        int first = driver.call_count;
+        run_dynamic(tr, &s);
+        assert_true(tr_get_info(tr).see_plan->in_parts && called_since(first, "TexImage2D") > 0);
+        assert_int_equal(tr_get_info(tr).see_plan->bytes, tr_get_info(tr).bytes);
+        assert_int_equal(tr_get_info(tr).see_plan->bytes, before + 8 * 640 * 480); /* two copies */
         tr_destroy(tr);
         assert_nothing_left();
     }
