@@ -1636,7 +1636,23 @@ static const char *const oit_i_shader_oit_operator_glsl[] = {
     "layout(std430, binding = OIT_BINDING_REPORT) buffer oit_surfaces { uint oit_surface[]; };\n"
     "#endif\n"
     "// Where the sections lie in it, a word a fragment each; 0: there is none.\n"
+    "#ifdef OIT_COMPOSES\n"
     "layout(location = 0) uniform highp uvec4 oit_at[6];\n"
+    "layout(location = 8) uniform highp vec4 oit_set[8]; // 0 to 3: of the operator's own\n"
+    "#else\n"
+    "layout(location = 0) uniform highp uvec4 oit_given_at[6];\n"
+    "layout(location = 8) uniform highp vec4 oit_given_set[8];\n"
+    "// Taken once: some drivers read a uniform lane by lane, wherever it stands in a loop.\n"
+    "highp uvec4 oit_at[6];\n"
+    "highp vec4 oit_set[8];\n"
+    "void oit_take_numbers()\n"
+    "{\n"
+    "    for (int i = 0; i < 6; ++i)\n"
+    "        oit_at[i] = uvec4(oit_given_at[i].x, oit_given_at[i].y, oit_given_at[i].z, oit_given_at[i].w);\n"
+    "    for (int i = 0; i < 8; ++i)\n"
+    "        oit_set[i] = vec4(oit_given_set[i].x, oit_given_set[i].y, oit_given_set[i].z, oit_given_set[i].w);\n"
+    "}\n"
+    "#endif\n"
     "#define OIT_IN_ORDER oit_at[0].x   // number of the record\n"
     "#define OIT_IN_LINKS oit_at[0].y   // left, right, down, up: layers of the neighbours in their pixels, 8 bits each\n"
     "#define OIT_IN_FAR_LINKS oit_at[0].z // not 0: 16 bits each, the last two here\n"
@@ -1652,7 +1668,6 @@ static const char *const oit_i_shader_oit_operator_glsl[] = {
     "#define OIT_IN_HOST oit_at[3]\n"
     "#define OIT_STEP oit_at[4]         // of the operator's own\n"
     "#define OIT_EXTRA_STEP oit_at[5]\n"
-    "layout(location = 8) uniform highp vec4 oit_set[8]; // 0 to 3: of the operator's own\n"
     "\n"
     "#define OIT_LEFTWARD 0u\n"
     "#define OIT_RIGHTWARD 1u\n"
@@ -1717,7 +1732,8 @@ static const char *const oit_i_shader_oit_operator_glsl[] = {
     "#endif\n"
     "\n"
     "// ---- of a fragment ----\n"
-    "\n"
+    "\n",
+    "#line 109\n"
     "float oit_depth(uint slot) // window depth\n"
     "{\n"
     "    return oit_record_window_depth(oit_record(slot));\n"
@@ -1751,8 +1767,7 @@ static const char *const oit_i_shader_oit_operator_glsl[] = {
     "#endif\n"
     "#if OIT_HAS_UV\n"
     "vec2 oit_uv(uint slot)\n"
-    "{\n",
-    "#line 128\n"
+    "{\n"
     "    uint at = oit_record(slot);\n"
     "    return vec2(uintBitsToFloat(OIT_WORD(at, OIT_AT_UV)), uintBitsToFloat(OIT_WORD(at, OIT_AT_UV + 1)));\n"
     "}\n"
@@ -1841,7 +1856,8 @@ static const char *const oit_i_shader_oit_operator_glsl[] = {
     "    bool gamma = which == OIT_GAMMA;\n"
     "    uint diffused = gamma ? OIT_IN_GAMMA : OIT_IN_BETA;\n"
     "    if (diffused != 0u)\n"
-    "        return uintBitsToFloat(oit_surface[diffused + slot]);\n"
+    "        return uintBitsToFloat(oit_surface[diffused + slot]);\n",
+    "#line 232\n"
     "    float lambda = gamma ? oit_set[7].y : oit_set[7].x;\n"
     "    if (oit_set[7].z > 0.0)\n"
     "        lambda = oit_steepest(slot, lambda);\n"
@@ -1856,8 +1872,7 @@ static const char *const oit_i_shader_oit_operator_glsl[] = {
     "    x = (bits & 0x7f800000u) == 0x7f800000u ? 0.0 : x;\n"
     "    if (which == OIT_BASE)\n"
     "        oit_surface[OIT_IN_BASE + slot] = floatBitsToUint(clamp(x, 0.0, 1.0));\n"
-    "    else\n",
-    "#line 232\n"
+    "    else\n"
     "        oit_surface[OIT_IN_HOST[which - OIT_HOST] + slot] = floatBitsToUint(x);\n"
     "}\n"
     "\n"
@@ -1907,6 +1922,7 @@ static const char *const oit_i_shader_oit_operator_glsl[] = {
     "#ifndef OIT_OWN_MAIN\n"
     "void main()\n"
     "{\n"
+    "    oit_take_numbers();\n"
     "    uvec2 where = gl_GlobalInvocationID.xy;\n"
     "    if (where.x < uint(oit_area.z) && where.y < uint(oit_area.w))\n"
     "        oit_operate(where.y * uint(oit_area.z) + where.x);\n"
@@ -1992,45 +2008,113 @@ static const char *const oit_i_shader_oit_operator_chain_comp[] = {
     "#line 1\n"
     "// For: oit_buffers.h\n"
     "// Many iterations of equation 8 at once, along rows or along columns: the binomial weights of so many steps, over the\n"
-    "// fragments that up to 15 links lead to. Where the surface ends the walk turns back, which is what leaving out a link's\n"
-    "// term does in each step. Rows after columns are not quite both at a time: the error is in docs/smart.md. OIT_STEP: x: 0\n"
-    "// rows, 1 columns; y: links to follow; oit_set[0 ... 3]: weights of the fragment itself, of one link each way, ...\n"
-    "uint oit_firsts[31]; // slots of the pixels around, the own one in the middle\n"
+    "// fragments that up to seven links lead to. Where the surface ends the walk turns back, which is what leaving out a link's\n"
+    "// term does in each step. Rows after columns are not quite both at a time: the error is in docs/smart.md.\n"
+    "// A work item takes 32 pixels in turn and follows each chain of links through them once, with what lies around in\n"
+    "// registers: a link and a value are read for each fragment, however wide the weights. Links are mutual. OIT_STEP: x: 0\n"
+    "// rows, 1 columns; oit_set[0], oit_set[1]: weights of the fragment itself, of one link each way, ...\n"
+    "#define OIT_OWN_MAIN 1\n"
+    "const uint oit_reach = 32u, oit_wide = 7u;\n"
+    "uint oit_firsts[46], oit_counts[46]; // of the 32 pixels, and of seven on either side\n"
     "\n"
-    "float oit_weight(uint k)\n"
+    "// One link on from a fragment of a pixel, or turned where there is none.\n"
+    "struct oit_walker\n"
     "{\n"
-    "    return oit_set[k >> 2u][k & 3u];\n"
+    "    uint slot, place, direction;\n"
+    "};\n"
+    "\n"
+    "uint oit_ahead()\n"
+    "{\n"
+    "    return 2u * OIT_STEP.x + 1u;\n"
     "}\n"
     "\n"
-    "float oit_walk(uint slot, uint direction)\n"
+    "// False where the chain ends. Without a branch: some drivers go both ways.\n"
+    "bool oit_walk(inout oit_walker w)\n"
     "{\n"
-    "    float sum = 0.0;\n"
-    "    uint place = 15u;\n"
-    "    for (uint k = 1u; k <= OIT_STEP.y; ++k) {\n"
-    "        uint layer = oit_link(slot, direction);\n"
-    "        if (layer == OIT_NONE) {\n"
-    "            direction ^= 1u;\n"
-    "        } else {\n"
-    "            place = (direction & 1u) != 0u ? place + 1u : place - 1u;\n"
-    "            slot = oit_firsts[place] + layer;\n"
-    "        }\n"
-    "        sum += oit_weight(k) * oit_before(slot);\n"
+    "    uint layer = oit_link(w.slot, w.direction), place = w.direction == oit_ahead() ? w.place + 1u : w.place - 1u;\n"
+    "    bool on = layer != OIT_NONE;\n"
+    "    w.direction = on ? w.direction : w.direction ^ 1u;\n"
+    "    w.place = on ? place : w.place;\n"
+    "    w.slot = on ? oit_firsts[w.place] + layer : w.slot;\n"
+    "    return on;\n"
+    "}\n"
+    "\n"
+    "// What lies around the fragment that is written next, seven links each way, and the slots of those ahead.\n"
+    "float oit_around[15];\n"
+    "uint oit_slots[8];\n"
+    "\n"
+    "void oit_take(uint slot)\n"
+    "{\n"
+    "    for (int k = 0; k < 14; ++k)\n"
+    "        oit_around[k] = oit_around[k + 1];\n"
+    "    for (int k = 0; k < 7; ++k)\n"
+    "        oit_slots[k] = oit_slots[k + 1];\n"
+    "    oit_around[14] = oit_before(slot);\n"
+    "    oit_slots[7] = slot;\n"
+    "}\n"
+    "\n"
+    "float oit_weigh()\n"
+    "{\n"
+    "    float sum = oit_around[7] * oit_set[0].x;\n"
+    "    sum += (oit_around[6] + oit_around[8]) * oit_set[0].y;\n"
+    "    sum += (oit_around[5] + oit_around[9]) * oit_set[0].z;\n"
+    "    sum += (oit_around[4] + oit_around[10]) * oit_set[0].w;\n"
+    "    sum += (oit_around[3] + oit_around[11]) * oit_set[1].x;\n"
+    "    sum += (oit_around[2] + oit_around[12]) * oit_set[1].y;\n"
+    "    sum += (oit_around[1] + oit_around[13]) * oit_set[1].z;\n"
+    "    return sum + (oit_around[0] + oit_around[14]) * oit_set[1].w;\n"
+    "}\n"
+    "\n"
+    "// From where the chain begins or comes into the stretch to where either ends: at most `left` fragments.\n"
+    "void oit_follow(uint slot, uint place, uint left)\n"
+    "{\n"
+    "    oit_walker w = oit_walker(slot, place, oit_ahead() ^ 1u);\n"
+    "    for (uint k = 0u; k < oit_wide; ++k) { // where the next eight push them to\n"
+    "        oit_walk(w);\n"
+    "        for (int i = 14; i > 8; --i)\n"
+    "            oit_around[i] = oit_around[i - 1];\n"
+    "        oit_around[8] = oit_before(w.slot);\n"
     "    }\n"
-    "    return sum;\n"
+    "    w = oit_walker(slot, place, oit_ahead());\n"
+    "    oit_take(slot);\n"
+    "    for (uint k = 1u; left > 0u; ++k) {\n"
+    "        left = oit_walk(w) ? left : min(left, min(k, oit_wide));\n"
+    "        oit_take(w.slot);\n"
+    "        if (k >= oit_wide) {\n"
+    "            oit_set_after(oit_slots[0], oit_weigh());\n"
+    "            --left;\n"
+    "        }\n"
+    "    }\n"
     "}\n"
     "\n"
-    "void oit_operate(uint p)\n"
+    "// On to where a chain begins or comes into the stretch, from the i-th of the pixel at `place` on. False: there is none.\n"
+    "bool oit_find(inout uint place, inout uint i, uint end)\n"
     "{\n"
-    "    uint first, n = oit_list(p, first), width = uint(oit_area.z), reach = OIT_STEP.y;\n"
-    "    if (n == 0u)\n"
-    "        return;\n"
+    "    while (place < end) {\n"
+    "        bool there = i < oit_counts[place];\n"
+    "        if (there && (place == oit_wide || oit_link(oit_firsts[place] + i, oit_ahead() ^ 1u) == OIT_NONE))\n"
+    "            return true;\n"
+    "        i = there ? i + 1u : 0u;\n"
+    "        place = there ? place : place + 1u;\n"
+    "    }\n"
+    "    return false;\n"
+    "}\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    oit_take_numbers();\n"
+    "    uvec2 size = uvec2(oit_area.zw), at = gl_GlobalInvocationID.xy;\n"
     "    bool column = OIT_STEP.x != 0u;\n"
-    "    uint stride = column ? width : 1u, at = column ? p / width : p % width, end = uint(column ? oit_area.w : oit_area.z);\n"
-    "    for (uint k = 15u - min(at, reach); k <= 15u + min(reach, end - 1u - at); ++k)\n"
-    "        oit_list(p + k * stride - 15u * stride, oit_firsts[k]);\n"
-    "    for (uint i = 0u; i < n; ++i)\n"
-    "        oit_set_after(first + i, oit_weight(0u) * oit_before(first + i) + oit_walk(first + i, 2u * OIT_STEP.x) +\n"
-    "                                     oit_walk(first + i, 2u * OIT_STEP.x + 1u));\n"
+    "    uvec2 start = column ? uvec2(at.x, at.y * oit_reach) : uvec2(at.y * oit_reach, at.x); // x is what is long\n"
+    "    if (any(greaterThanEqual(start, size)))\n"
+    "        return;\n",
+    "#line 103\n"
+    "    uint p = start.y * size.x + start.x, stride = column ? size.x : 1u, from = column ? start.y : start.x;\n"
+    "    uint rest = (column ? size.y : size.x) - from, end = oit_wide + min(oit_reach, rest);\n"
+    "    for (uint k = oit_wide - min(oit_wide, from); k < oit_wide + min(oit_reach + oit_wide, rest); ++k)\n"
+    "        oit_counts[k] = oit_list(p + k * stride - oit_wide * stride, oit_firsts[k]);\n"
+    "    for (uint place = oit_wide, i = 0u; oit_find(place, i, end); ++i)\n"
+    "        oit_follow(oit_firsts[place] + i, place, end - place);\n"
     "}\n",
     0};
 static const char *const oit_i_shader_oit_operator_compose_frag[] = {
@@ -2512,6 +2596,7 @@ static const char *const oit_i_shader_oit_operator_jump_comp[] = {
     "\n"
     "void main()\n"
     "{\n"
+    "    oit_take_numbers();\n"
     "    uvec2 size = uvec2(oit_area.zw), at = gl_GlobalInvocationID.xy;\n"
     "    bool column = OIT_STEP.x != 0u, changed = false;\n"
     "    if (at == uvec2(0u))\n"
@@ -2669,6 +2754,7 @@ static const char *const oit_i_shader_oit_operator_size_comp[] = {
     "\n"
     "void main()\n"
     "{\n"
+    "    oit_take_numbers();\n"
     "    uvec2 size = uvec2(oit_area.zw), at = gl_GlobalInvocationID.xy;\n"
     "    bool column = OIT_STEP.x != 0u;\n"
     "    uvec2 start = column ? uvec2(at.x, at.y * oit_reach) : uvec2(at.y * oit_reach, at.x); // x is what is long\n"
@@ -5440,8 +5526,13 @@ static int oit_i_is_operator(int program) {
     return program >= OIT_I_PROGRAM_SORT && program < OIT_I_PROGRAM_LAID;
 }
 
+/* Whether a work item takes a stretch of a row or of a column, not a pixel. */
+static int oit_i_goes_along(int program) {
+    return program == OIT_I_PROGRAM_JUMP || program == OIT_I_PROGRAM_SIZE || program == OIT_I_PROGRAM_CHAIN;
+}
+
 static void oit_i_built_in_operator_source(oit_i_source *source, int program) {
-    if (program == OIT_I_PROGRAM_JUMP || program == OIT_I_PROGRAM_SIZE)
+    if (oit_i_goes_along(program))
         oit_i_add(source, "#define OIT_OWN_MAIN 1\n");
     oit_i_operator_source(source);
     oit_i_add_chunks(source, oit_i_shader_oit_operator_glsl);
@@ -6947,6 +7038,11 @@ static int oit_i_jump_rounds(const oit_smart *smart, int steps) {
     return smart->rounds ? smart->rounds : straight;
 }
 
+/* Whether what a fragment is linked to is linked back to it. Chains are followed only then. */
+static int oit_i_links_are_mutual(const oit_context *oit) {
+    return !oit->link.no_reverse_check && oit->link.criterion != OIT_LINK_PUBLISHED;
+}
+
 static void oit_i_plan_smart(oit_context *oit) {
     const oit_smart *smart = &oit->smart;
     int greatest = oit_i_greatest_steps(smart), base = smart->base.iterations;
@@ -6957,7 +7053,10 @@ static void oit_i_plan_smart(oit_context *oit) {
         oit_i_add_stage(oit, OIT_I_PROGRAM_SIZE, 0, oit_i_size_passes(smart));
     if (smart->jumps) {
         oit_i_add_stage(oit, OIT_I_PROGRAM_JUMP, 0, 2 * oit_i_jump_rounds(smart, greatest));
-        oit_i_add_stage(oit, OIT_I_PROGRAM_CHAIN, 0, 2 * ((base + OIT_I_CHAIN_STEPS - 1) / OIT_I_CHAIN_STEPS));
+        if (oit_i_links_are_mutual(oit))
+            oit_i_add_stage(oit, OIT_I_PROGRAM_CHAIN, 0, 2 * ((base + OIT_I_CHAIN_STEPS - 1) / OIT_I_CHAIN_STEPS));
+        else
+            oit_i_add_stage(oit, OIT_I_PROGRAM_SOLVE, OIT_I_AT_BASE, base);
     } else {
         oit_i_add_stage(oit, OIT_I_PROGRAM_SOLVE, OIT_I_AT_BASE, greatest > base ? greatest : base);
     }
@@ -6979,7 +7078,7 @@ static void oit_i_plan(oit_context *oit, const oit_operator *op) {
         if (oit->link.search == OIT_SEARCH_BUCKETS)
             oit_i_add_stage(oit, OIT_I_PROGRAM_GROUP, 0, 1);
         oit_i_add_stage(oit, OIT_I_PROGRAM_CONNECT, 0, oit->link.search == OIT_SEARCH_WINDOWED ? 1 : 4);
-        if (!oit->link.no_reverse_check && oit->link.criterion != OIT_LINK_PUBLISHED)
+        if (oit_i_links_are_mutual(oit))
             oit_i_add_stage(oit, OIT_I_PROGRAM_MUTUAL, 0, 1);
     } else if (op->kind == OIT_RUN_LAW) {
         oit_i_add_stage(oit, OIT_I_PROGRAM_LAW, (int)op->law.kind, 1);
@@ -7005,24 +7104,21 @@ typedef struct oit_i_numbers {
 } oit_i_numbers;
 
 /* Weights of the fragments that 0, 1, ... links lead to, after so many steps of equation 8 along one axis: a walk that goes
-   a link each way with probability `weight` in each. Returns how many links have to be followed. */
-static int oit_i_chain_weights(int steps, double weight, float out[16]) {
-    double w[17], next[17], sum = 0.0, tail = 0.0;
-    int i, k, reach = 15;
+   a link each way with probability `weight` in each. What lies beyond seven links is shared out. */
+static void oit_i_chain_weights(int steps, double weight, float out[8]) {
+    double w[33], next[32], sum = 0.0;
+    int i, k;
     memset(w, 0, sizeof w);
     w[0] = 1.0;
     for (i = 0; i < steps; ++i) {
-        for (k = 0; k < 16; ++k)
+        for (k = 0; k < 32; ++k)
             next[k] = w[k] + weight * (w[k ? k - 1 : 1] - 2.0 * w[k] + w[k + 1]);
-        memcpy(w, next, 16 * sizeof w[0]);
+        memcpy(w, next, sizeof next);
     }
-    while (reach > 1 && tail + 2.0 * w[reach] < 1e-2)
-        tail += 2.0 * w[reach--];
-    for (k = 0; k <= reach; ++k)
+    for (k = 0; k < 8; ++k)
         sum += (k ? 2.0 : 1.0) * w[k];
-    for (k = 0; k < 16; ++k)
-        out[k] = k <= reach ? (float)(w[k] / sum) : 0.0f;
-    return reach;
+    for (k = 0; k < 8; ++k)
+        out[k] = (float)(w[k] / sum);
 }
 
 /* Iterations of base that the k-th of the pairs of passes stands for: as even as may be. */
@@ -7055,7 +7151,7 @@ static void oit_i_number_solve(const oit_context *oit, const oit_i_stage *stage,
                                                               : &smart->gamma;
     n->at[2][0] = oit->sections[stage->what];
     n->at[2][1] = oit->sections[OIT_I_AT_SPARE];
-    n->at[4][0] = stage->what == OIT_I_AT_BASE && step < oit_i_greatest_steps(smart);
+    n->at[4][0] = stage->what == OIT_I_AT_BASE && !smart->jumps && step < oit_i_greatest_steps(smart);
     n->at[4][1] = step < spread->iterations;
     n->at[4][2] = stage->what == OIT_I_AT_BETA ? 1u : stage->what == OIT_I_AT_GAMMA ? 2u : 0u;
     n->set[0][0] = spread->lambda * (smart->published ? 0.25f : 0.125f);
@@ -7063,11 +7159,11 @@ static void oit_i_number_solve(const oit_context *oit, const oit_i_stage *stage,
 
 static void oit_i_number_chain(const oit_context *oit, const oit_i_stage *stage, int step, oit_i_numbers *n) {
     int steps = oit_i_chain_steps(oit->smart.base.iterations, stage->count / 2, step / 2);
-    float weights[16];
+    float weights[8];
     n->at[2][0] = oit->sections[OIT_I_AT_BASE];
     n->at[2][1] = oit->sections[OIT_I_AT_SPARE];
     n->at[4][0] = (oit_i_u)(step ^ step >> 1) & 1u; /* rows, columns, columns, rows: errors of the order cancel */
-    n->at[4][1] = (oit_i_u)oit_i_chain_weights(steps, 0.125 * (double)oit->smart.base.lambda, weights);
+    oit_i_chain_weights(steps, 0.125 * (double)oit->smart.base.lambda, weights);
     memcpy(n->set, weights, sizeof weights);
 }
 
@@ -7201,15 +7297,16 @@ static void oit_i_begin_numbers(const oit_context *oit, oit_i_numbers *n) {
 /* The pass of the present stage: its program, groups, and the buffer of the surfaces in the place of the report. */
 static void oit_i_fill_operation(const oit_context *oit, oit_state *state) {
     const oit_i_stage *stage = &oit->stages[oit->stage];
-    int along = stage->program == OIT_I_PROGRAM_JUMP || stage->program == OIT_I_PROGRAM_SIZE, k = oit->stage_step & 1;
+    int along = oit_i_goes_along(stage->program), column;
     int size[2], i;
     oit_i_numbers numbers;
     oit_i_begin_numbers(oit, &numbers);
     oit_i_number_stage(oit, stage, oit->stage_step, &numbers);
     state->program = stage->program == OIT_I_PROGRAM_HOST ? oit->host_program : oit->programs[stage->program];
     state->storage_buffers[2] = oit->buffers[OIT_I_SURFACE];
-    size[0] = along && !k ? oit->frame.height : oit->frame.width;
-    size[1] = along && !k ? oit->frame.width : oit->frame.height;
+    column = along && numbers.at[4][0] != 0;
+    size[0] = along && !column ? oit->frame.height : oit->frame.width;
+    size[1] = along && !column ? oit->frame.width : oit->frame.height;
     if (along) /* across x, along y, so that few columns of a narrow image leave no work items idle */
         size[1] = (size[1] + OIT_I_JUMP_REACH - 1) / OIT_I_JUMP_REACH;
     for (i = 0; i < 2; ++i)

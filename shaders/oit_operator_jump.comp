@@ -42,6 +42,7 @@ bool oit_carry(uint p, uint direction, bool inside, bool again)
 
 void main()
 {
+    oit_take_numbers();
     uvec2 size = uvec2(oit_area.zw), at = gl_GlobalInvocationID.xy;
     bool column = OIT_STEP.x != 0u, changed = false;
     if (at == uvec2(0u))
