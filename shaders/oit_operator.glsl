@@ -21,9 +21,9 @@ highp vec4 oit_set[8];
 void oit_take_numbers()
 {
     for (int i = 0; i < 6; ++i)
-        oit_at[i] = uvec4(oit_given_at[i].x, oit_given_at[i].y, oit_given_at[i].z, oit_given_at[i].w);
+        oit_at[i] = oit_given_at[i];
     for (int i = 0; i < 8; ++i)
-        oit_set[i] = vec4(oit_given_set[i].x, oit_given_set[i].y, oit_given_set[i].z, oit_given_set[i].w);
+        oit_set[i] = oit_given_set[i];
 }
 #endif
 #define OIT_IN_ORDER oit_at[0].x   // number of the record
