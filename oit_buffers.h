@@ -1937,7 +1937,7 @@ static const char *const oit_i_shader_oit_operator_bound_comp[] = {
     "// underneath (green) keeps it 0, being before (blue) makes gamma 1. By layer indices, surfaces only, and without the\n"
     "// differences that linked surfaces make which merely change places: what is left is surfaces that begin on the way to the\n"
     "// neighbour less those that end on it. OIT_STEP: x: 1: plain indices (published); y: 1: nothing is kept at 0, since equation\n"
-    "// 9 as published has no b; equation 8 has.\n"
+    "// 9 as published has no b; equation 8 has; z: as OIT_STEP.w of jumps.\n"
     "\n"
     "// Of those before `layer` in the list: how many are surfaces without a link that way; or, published, how many surfaces.\n"
     "// Kept from one call to the next, since layers mostly ascend.\n"
@@ -1999,9 +1999,9 @@ static const char *const oit_i_shader_oit_operator_bound_comp[] = {
     "        if (OIT_IN_GAMMA != 0u)\n"
     "            oit_surface[OIT_IN_GAMMA + slot] = floatBitsToUint(before ? 1.0 : 0.0);\n"
     "    }\n"
-    "    if (p == 0u) // the passes of jumps that come first find that something has changed\n"
-    "        for (uint i = 4u; i < 8u; ++i)\n"
-    "            oit_surface[i] = 1u;\n"
+    "    uvec2 at = uvec2(p % uint(oit_area.z), p / uint(oit_area.z));\n"
+    "    if (OIT_STEP.z != 0u && all(equal(at & 31u, uvec2(0u)))) // no pass of jumps has changed anything there\n"
+    "        oit_surface[OIT_STEP.z + at.y / 32u * ((uint(oit_area.z) + 31u) / 32u) + at.x / 32u] = 0u;\n"
     "}\n",
     0};
 static const char *const oit_i_shader_oit_operator_chain_comp[] = {
@@ -2458,19 +2458,13 @@ static const char *const oit_i_shader_oit_operator_group_comp[] = {
 static const char *const oit_i_shader_oit_operator_jump_comp[] = {
     "#line 1\n"
     "// For: oit_buffers.h\n"
-    "// Distances carried 32 pixels along a row or a column in one pass, both ways: a work item takes 32 pixels in turn, and\n"
-    "// what lies beyond its ends as it was before the pass, so that the result depends on nothing but the values before\n"
-    "// (they go from oit_before to oit_set_after). Never less than the true distance: each is that of a path. OIT_STEP: x: 0\n"
-    "// rows, 1 columns; y: number of the pass; z: 1: until nothing changes.\n"
+    "// Distances carried 32 pixels along a row or a column in one pass, both ways: a work item takes a stretch of 32 pixels in\n"
+    "// turn, where they lie. Stretches side by side take turns, too: what lies beyond the ends of one does not change while it is\n"
+    "// read, so that the result depends on nothing but the values before. Never less than the true distance: each is that of a\n"
+    "// path. OIT_STEP: x: 0 rows, 1 columns; y: number of the pass: four are a round; z: 1: the second, fourth, ... stretches;\n"
+    "// w: where a word for each 32 x 32 pixels lies, one more than the last pass that changed something there; 0: none.\n"
     "#define OIT_OWN_MAIN 1\n"
     "const uint oit_reach = 32u;\n"
-    "\n"
-    "// In words 4 to 7 of the header, in turn, whether a pass has changed anything. Both passes before this one have not: all\n"
-    "// is as it will be, and the same in both places.\n"
-    "bool oit_is_stable()\n"
-    "{\n"
-    "    return OIT_STEP.z != 0u && oit_surface[4u + (OIT_STEP.y + 3u & 3u)] + oit_surface[4u + (OIT_STEP.y + 2u & 3u)] == 0u;\n"
-    "}\n"
     "\n"
     "uint oit_nearer(uint own, uint other)\n"
     "{\n"
@@ -2478,45 +2472,56 @@ static const char *const oit_i_shader_oit_operator_jump_comp[] = {
     "    return !kept && other < OIT_BLOCKED - 1u ? min(own, other + 1u) : own;\n"
     "}\n"
     "\n"
-    "// All of pixel p toward which values come from `direction`; inside: they are of this pass.\n"
-    "bool oit_carry(uint p, uint direction, bool inside, bool again)\n"
+    "// To pixel p from the one beside, of which these are the slots.\n"
+    "bool oit_carry(uint p, uint direction, inout uint other)\n"
     "{\n"
-    "    uint first, n = oit_list(p, first), q, other;\n"
-    "    bool changed = false, beside = oit_beside(p, direction, q);\n"
-    "    if (beside)\n"
-    "        oit_list(q, other);\n"
+    "    uint first, n = oit_list(p, first);\n"
+    "    bool changed = false;\n"
     "    for (uint i = 0u; i < n; ++i) {\n"
-    "        uint slot = first + i, layer = beside ? oit_link(slot, direction) : OIT_NONE;\n"
-    "        uint own = oit_surface[(again ? OIT_IN_AFTER : OIT_IN_BEFORE) + slot], word = own;\n"
-    "        if (layer != OIT_NONE) {\n"
-    "            uint come = oit_surface[(inside ? OIT_IN_AFTER : OIT_IN_BEFORE) + other + layer];\n"
-    "            word = oit_nearer(own & 65535u, come & 65535u) | oit_nearer(own >> 16u, come >> 16u) << 16u;\n"
+    "        uint slot = first + i, layer = oit_link(slot, direction), own = oit_surface[OIT_IN_REACH + slot];\n"
+    "        uint come = layer == OIT_NONE ? own : oit_surface[OIT_IN_REACH + other + layer];\n"
+    "        uint word = oit_nearer(own & 65535u, come & 65535u) | oit_nearer(own >> 16u, come >> 16u) << 16u;\n"
+    "        if (word != own) {\n"
+    "            oit_surface[OIT_IN_REACH + slot] = word;\n"
+    "            changed = true;\n"
     "        }\n"
-    "        if (word != own || !again)\n"
-    "            oit_surface[OIT_IN_AFTER + slot] = word;\n"
-    "        changed = changed || word != own;\n"
     "    }\n"
+    "    other = first;\n"
     "    return changed;\n"
+    "}\n"
+    "\n"
+    "// Whether nothing has changed here and on either side since the stretch was looked at last, a round ago.\n"
+    "bool oit_is_done(uint tile, uint step, bool low, bool high)\n"
+    "{\n"
+    "    if (OIT_STEP.w == 0u || OIT_STEP.y < 4u)\n"
+    "        return false;\n"
+    "    uint last = oit_surface[OIT_STEP.w + tile];\n"
+    "    last = max(last, low ? oit_surface[OIT_STEP.w + tile - step] : 0u);\n"
+    "    last = max(last, high ? oit_surface[OIT_STEP.w + tile + step] : 0u);\n"
+    "    return last + 3u <= OIT_STEP.y;\n"
     "}\n"
     "\n"
     "void main()\n"
     "{\n"
     "    oit_take_numbers();\n"
-    "    uvec2 size = uvec2(oit_area.zw), at = gl_GlobalInvocationID.xy;\n"
+    "    uvec2 size = uvec2(oit_area.zw), tiles = (size + oit_reach - 1u) / oit_reach;\n"
+    "    uvec2 at = uvec2(gl_GlobalInvocationID.x, 2u * gl_GlobalInvocationID.y + OIT_STEP.z); // x across, y along\n"
     "    bool column = OIT_STEP.x != 0u, changed = false;\n"
-    "    if (at == uvec2(0u))\n"
-    "        oit_surface[4u + (OIT_STEP.y + 1u & 3u)] = 0u;\n"
-    "    uvec2 start = column ? uvec2(at.x, at.y * oit_reach) : uvec2(at.y * oit_reach, at.x); // x is what is long\n"
-    "    if (any(greaterThanEqual(start, size)) || oit_is_stable())\n"
+    "    uvec2 start = column ? uvec2(at.x, at.y * oit_reach) : uvec2(at.y * oit_reach, at.x), tile = start / oit_reach;\n"
+    "    if (any(greaterThanEqual(start, size)))\n"
     "        return;\n"
-    "    uint p = start.y * size.x + start.x, stride = column ? size.x : 1u;\n"
-    "    uint n = min(oit_reach, column ? size.y - start.y : size.x - start.x), back = column ? 2u : 0u;\n"
+    "    uint p = start.y * size.x + start.x, stride = column ? size.x : 1u, back = column ? OIT_DOWNWARD : OIT_LEFTWARD;\n"
+    "    uint rest = column ? size.y - start.y : size.x - start.x, n = min(oit_reach, rest), own = tile.y * tiles.x + tile.x, other;\n"
+    "    if (oit_is_done(own, column ? tiles.x : 1u, at.y > 0u, rest > n))\n"
+    "        return;\n"
+    "    oit_list(at.y > 0u ? p - stride : p, other);\n"
     "    for (uint i = 0u; i < n; ++i)\n"
-    "        changed = oit_carry(p + i * stride, back, i > 0u, false) || changed;\n"
+    "        changed = oit_carry(p + i * stride, back, other) || changed;\n"
+    "    oit_list(rest > n ? p + n * stride : p, other);\n"
     "    for (uint i = n; i > 0u; --i)\n"
-    "        changed = oit_carry(p + (i - 1u) * stride, back + 1u, i < n, true) || changed;\n"
-    "    if (changed)\n"
-    "        oit_surface[4u + (OIT_STEP.y & 3u)] = 1u;\n"
+    "        changed = oit_carry(p + (i - 1u) * stride, back + 1u, other) || changed;\n"
+    "    if (changed && OIT_STEP.w != 0u)\n"
+    "        oit_surface[OIT_STEP.w + own] = OIT_STEP.y + 1u;\n"
     "}\n",
     0};
 static const char *const oit_i_shader_oit_operator_law_comp[] = {
@@ -6827,7 +6832,7 @@ OIT_I_API oit_result oit_begin(oit_context *oit, const oit_frame *frame) {
      bound    order, links read; reach, beta, gamma written               mutual
      size     links, reach read; sizes both, in place: only distances that have come for certain are used     bound
      solve    links read; reach both, in place: see the shader; one field to spare      bound, law, solve
-     jump     links, reach read; spare written, which then is reach       bound, jump
+     jump     links read; reach both, in place: stretches side by side take turns; what has changed in spare     bound, jump
      chain    links, base read; spare written, which then is base         law, chain
      curve    order, links read; kappa, base written                      mutual
      host     anything read; base and fields of the own pixel, or spare, written      any of these
@@ -7136,6 +7141,7 @@ static int oit_i_greatest_steps(const oit_smart *smart) {
    along columns is not quite both at a time. */
 #define OIT_I_CHAIN_STEPS 25
 #define OIT_I_JUMP_REACH 32
+#define OIT_I_JUMP_BENDS 2
 
 /* Passes along rows and columns in turn that measure the surface's width, as far as smart.thin may matter. */
 static int oit_i_size_passes(const oit_smart *smart) {
@@ -7147,12 +7153,14 @@ static int oit_i_size_passes(const oit_smart *smart) {
 }
 
 static int oit_i_jump_rounds(const oit_smart *smart, int steps) {
-    int straight = (steps + OIT_I_JUMP_REACH - 1) / OIT_I_JUMP_REACH + 3;
+    int borders =
+        (steps + OIT_I_JUMP_REACH - 1) / OIT_I_JUMP_REACH; /* of stretches; a round passes two, the first one */
+    int straight = 1 + (borders + 1) / 2;
     if (steps == 0)
         return 0;
     if (smart->until_stable)
         return steps; /* each round is worth an iteration at least */
-    return smart->rounds ? smart->rounds : straight;
+    return smart->rounds ? smart->rounds : straight + OIT_I_JUMP_BENDS;
 }
 
 /* Whether what a fragment is linked to is linked back to it. Chains are followed only then. */
@@ -7169,7 +7177,7 @@ static void oit_i_plan_smart(oit_context *oit) {
     if (smart->thin > 0.0f)
         oit_i_add_stage(oit, OIT_I_PROGRAM_SIZE, 0, oit_i_size_passes(smart));
     if (smart->jumps) {
-        oit_i_add_stage(oit, OIT_I_PROGRAM_JUMP, 0, 2 * oit_i_jump_rounds(smart, greatest));
+        oit_i_add_stage(oit, OIT_I_PROGRAM_JUMP, 0, 4 * oit_i_jump_rounds(smart, greatest));
         if (oit_i_links_are_mutual(oit))
             oit_i_add_stage(oit, OIT_I_PROGRAM_CHAIN, 0, 2 * ((base + OIT_I_CHAIN_STEPS - 1) / OIT_I_CHAIN_STEPS));
         else
@@ -7353,6 +7361,13 @@ static void oit_i_number_sections(const oit_context *oit, oit_i_numbers *n) {
     n->at[5][2] = oit->sections[OIT_I_AT_SIZES_HIGH];
 }
 
+/* A word for each 32 x 32 pixels, in the section to spare, which jumps have no other use for; 0: it is too short. */
+static oit_i_u oit_i_tiles(const oit_context *oit) {
+    int64_t across = (oit->frame.width + OIT_I_JUMP_REACH - 1) / OIT_I_JUMP_REACH;
+    int64_t tiles = across * ((oit->frame.height + OIT_I_JUMP_REACH - 1) / OIT_I_JUMP_REACH);
+    return tiles <= (int64_t)oit->capacity ? oit->sections[OIT_I_AT_SPARE] : 0u;
+}
+
 static void oit_i_number_stage(const oit_context *oit, const oit_i_stage *stage, int step, oit_i_numbers *n) {
     const oit_law *law = &oit->law;
     switch (stage->program) {
@@ -7370,6 +7385,7 @@ static void oit_i_number_stage(const oit_context *oit, const oit_i_stage *stage,
     case OIT_I_PROGRAM_BOUND:
         n->at[4][0] = oit->smart.published != 0;
         n->at[4][1] = oit->smart.published && oit->smart.beta.process == OIT_PROCESS_GREATEST;
+        n->at[4][2] = oit_i_tiles(oit);
         break;
     case OIT_I_PROGRAM_SIZE:
         n->at[4][0] = (oit_i_u)step & 1u;
@@ -7379,11 +7395,10 @@ static void oit_i_number_stage(const oit_context *oit, const oit_i_stage *stage,
         oit_i_number_solve(oit, stage, step, n);
         break;
     case OIT_I_PROGRAM_JUMP:
-        n->at[2][0] = oit->sections[OIT_I_AT_REACH];
-        n->at[2][1] = oit->sections[OIT_I_AT_SPARE];
-        n->at[4][0] = (oit_i_u)step & 1u;
+        n->at[4][0] = (oit_i_u)step >> 1 & 1u;
         n->at[4][1] = (oit_i_u)step;
-        n->at[4][2] = oit->smart.until_stable != 0;
+        n->at[4][2] = (oit_i_u)step & 1u;
+        n->at[4][3] = oit_i_tiles(oit);
         break;
     case OIT_I_PROGRAM_CHAIN:
         oit_i_number_chain(oit, stage, step, n);
@@ -7429,6 +7444,8 @@ static void oit_i_fill_operation(const oit_context *oit, oit_state *state) {
     size[1] = along && !column ? oit->frame.width : oit->frame.height;
     if (along) /* across x, along y, so that few columns of a narrow image leave no work items idle */
         size[1] = (size[1] + OIT_I_JUMP_REACH - 1) / OIT_I_JUMP_REACH;
+    if (stage->program == OIT_I_PROGRAM_JUMP) /* every second */
+        size[1] = (size[1] + 1) / 2;
     for (i = 0; i < 2; ++i)
         state->groups[i] = (oit_i_u)((size[i] + 7) / 8);
     state->groups[2] = 1;
@@ -7457,9 +7474,7 @@ static void oit_i_swap_sections(oit_context *oit, int a, int b) {
 static void oit_i_advance_operation(oit_context *oit) {
     const oit_i_stage *stage = &oit->stages[oit->stage];
     int step = oit->stage_step;
-    if (stage->program == OIT_I_PROGRAM_JUMP)
-        oit_i_swap_sections(oit, OIT_I_AT_REACH, OIT_I_AT_SPARE);
-    else if (stage->program == OIT_I_PROGRAM_CHAIN || (stage->program == OIT_I_PROGRAM_HOST && stage->what))
+    if (stage->program == OIT_I_PROGRAM_CHAIN || (stage->program == OIT_I_PROGRAM_HOST && stage->what))
         oit_i_swap_sections(oit, stage->program == OIT_I_PROGRAM_CHAIN ? OIT_I_AT_BASE : oit->host_section,
                             OIT_I_AT_SPARE);
     else if (stage->program == OIT_I_PROGRAM_SOLVE &&
