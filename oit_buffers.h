@@ -7138,8 +7138,9 @@ static int oit_i_greatest_steps(const oit_smart *smart) {
 }
 
 /* Iterations of equation 8 that one pair of passes along rows and columns stands for: few, because along rows and then
-   along columns is not quite both at a time. */
-#define OIT_I_CHAIN_STEPS 25
+   along columns is not quite both at a time. Pairs take turns in which comes first, so that errors of the order cancel, and
+   what one ends with and the next begins with is one pass. */
+#define OIT_I_CHAIN_STEPS 7
 #define OIT_I_JUMP_REACH 32
 #define OIT_I_JUMP_BENDS 2
 
@@ -7179,7 +7180,8 @@ static void oit_i_plan_smart(oit_context *oit) {
     if (smart->jumps) {
         oit_i_add_stage(oit, OIT_I_PROGRAM_JUMP, 0, 4 * oit_i_jump_rounds(smart, greatest));
         if (oit_i_links_are_mutual(oit))
-            oit_i_add_stage(oit, OIT_I_PROGRAM_CHAIN, 0, 2 * ((base + OIT_I_CHAIN_STEPS - 1) / OIT_I_CHAIN_STEPS));
+            oit_i_add_stage(oit, OIT_I_PROGRAM_CHAIN, 0,
+                            base > 0 ? (base + OIT_I_CHAIN_STEPS - 1) / OIT_I_CHAIN_STEPS + 1 : 0);
         else
             oit_i_add_stage(oit, OIT_I_PROGRAM_SOLVE, OIT_I_AT_BASE, base);
     } else {
@@ -7252,7 +7254,7 @@ static void oit_i_chain_weights(int steps, double weight, float out[8]) {
 
 /* Iterations of base that the k-th of the pairs of passes stands for: as even as may be. */
 static int oit_i_chain_steps(int iterations, int pairs, int k) {
-    return iterations / pairs + (k < iterations % pairs);
+    return k >= 0 && k < pairs ? iterations / pairs + (k < iterations % pairs) : 0;
 }
 
 static void oit_i_number_connect(const oit_context *oit, int step, oit_i_numbers *n) {
@@ -7285,11 +7287,12 @@ static void oit_i_number_solve(const oit_context *oit, const oit_i_stage *stage,
 }
 
 static void oit_i_number_chain(const oit_context *oit, const oit_i_stage *stage, int step, oit_i_numbers *n) {
-    int steps = oit_i_chain_steps(oit->smart.base.iterations, stage->count / 2, step / 2);
+    int iterations = oit->smart.base.iterations, pairs = stage->count - 1;
+    int steps = oit_i_chain_steps(iterations, pairs, step - 1) + oit_i_chain_steps(iterations, pairs, step);
     float weights[8];
     n->at[2][0] = oit->sections[OIT_I_AT_BASE];
     n->at[2][1] = oit->sections[OIT_I_AT_SPARE];
-    n->at[4][0] = (oit_i_u)(step ^ step >> 1) & 1u; /* rows, columns, columns, rows: errors of the order cancel */
+    n->at[4][0] = (oit_i_u)step & 1u;
     oit_i_chain_weights(steps, 0.125 * (double)oit->smart.base.lambda, weights);
     memcpy(n->set, weights, sizeof weights);
 }
