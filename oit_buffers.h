@@ -195,7 +195,8 @@
    bits each, exact. Iterated, each pass is one step. With smart.jumps a pass carries distances 32 pixels along rows, the
    next along columns, and so on: never below the true distance, so never above the iterated field; each bend of a path
    costs a round. smart.until_stable asks for as many rounds as iterations, of which those after the last change end at
-   once. Base is made smooth by two passes for each 25 iterations: the weights of so many steps along rows, then columns.
+   once. Base is made smooth by the weights of several steps along rows, then columns, and so on: n + 1 passes for 7 n
+   iterations, where links are mutual; without the reverse check, or with OIT_LINK_PUBLISHED, it is iterated.
    smart.thin is against silhouettes so dense that nothing but them is seen: a field ends within that share of the distance
    between the boundary conditions on either side along the row, or along the column if that is less.
 
@@ -631,7 +632,7 @@ typedef struct oit_spread {
 typedef struct oit_smart {
     oit_spread base, beta, gamma; /* where no LAW was run, base starts as GIVEN */
     int jumps; /* 1: few passes that go far along rows and columns instead of one an iteration; see JUMPS */
-    int rounds; /* of jumps: a pass along rows and one along columns; 0: default what reaches without a bend, and 3 for bends */
+    int rounds; /* of jumps: along rows and along columns; 0: default what reaches without a bend, and 2 for bends */
     int until_stable; /* 1: as many rounds as are needed: beta and gamma as iterated, exactly */
     float thin;       /* beta and gamma reach no farther than this share of the surface's width there; 0: any (paper) */
     int published;    /* 1: the paper's own: mean of four in equation 8, equation 9 without b, plain layer indices, and
