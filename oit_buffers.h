@@ -534,7 +534,7 @@ OIT_DEF oit_result oit_pick_result(oit_context *oit, int wait, oit_pick *pick);
        LINK        neighbours along the surface, which the three below need
        LAW         the opacity that a fragment starts with, "base"
        SMART       silhouettes strengthened, halos before what lies behind: fields beta and gamma, base made smooth
-       CURVATURE   kappa of each fragment, and opacity and shade from it
+       CURVATURE   kappa of each fragment, and opacity, shade and suggestive contours from it
        HOST        a compute program of the host's
 
    and oit_compose lays a fragment with opacity (1 - gamma)(base + (1 - base) beta) and shade(kappa) times its colour. What
@@ -549,16 +549,18 @@ enum {
     OIT_OPERATE_LOCAL = 16,     /* 4, shared with SMART: for HOST with iterations */
     OIT_OPERATE_DIFFUSION = 32, /* 8: beta and gamma of SMART by equation 8 */
     OIT_OPERATE_THIN = 64,      /* 8: smart.thin */
-    OIT_OPERATE_BUCKETS = 128   /* 4: OIT_SEARCH_BUCKETS */
+    OIT_OPERATE_BUCKETS = 128,  /* 4: OIT_SEARCH_BUCKETS */
+    OIT_OPERATE_CONTOURS = 256  /* 4, and 4 shared with SMART: curvature.contours; takes CURVATURE along */
 };
-#define OIT_OPERATE_ALL 255u
+#define OIT_OPERATE_ALL 511u
 #define OIT_MAX_OPERATOR_FIELDS 4
 
 /* When two fragments of one part, in pixels side by side, are neighbours: each is what the other likes best of that pixel
    (section 4.4, figure 7b), by a measure of how little the surface would have to bend. */
 typedef enum oit_criterion {
     OIT_LINK_DEPTH, /* equations 1 to 3: depth_weight times the distance, in radii, of the depth that the fragment's own
-                       slope predicts, plus normal_weight times 1 - n.n; none farther than limit (radii) */
+                       slope predicts, plus normal_weight times 1 - n.n; none farther than limit (radii), but
+                       where a surface of steadily changing slope may be: between what both slopes predict */
     OIT_LINK_UV,    /* distance in (u, v), none farther than limit; needs OIT_FIELD_UV */
     OIT_LINK_PUBLISHED, /* as DEPTH, without limit, and both ways by the measure of one side (algorithm 2) */
     OIT_LINK_MURRAY     /* 1 - n.n plus the difference of window depths squared; no limit (Murray 2016, section 5.1) */
@@ -576,7 +578,7 @@ typedef struct oit_link {
     oit_search search;
     float depth_weight, normal_weight; /* not negative; both 0: default 0.5 and 0.5 */
     float radius;                      /* of the scene's bounding sphere, units of the eye's space; 0: default 1 */
-    float limit;                       /* 0: default 0.05; negative: none */
+    float limit;                       /* 0: default 0.04; negative: none */
     int no_reverse_check;              /* 1: what one side likes best is its neighbour (Murray 2016, figure 5a) */
     int count_pairs;                   /* 1: pairs that are compared are counted in the header of the buffer */
 } oit_link;
@@ -631,7 +633,7 @@ typedef struct oit_spread {
 
 typedef struct oit_smart {
     oit_spread base, beta, gamma; /* where no LAW was run, base starts as GIVEN */
-    int jumps; /* 1: few passes that go far along rows and columns instead of one an iteration; see JUMPS */
+    int jumps;  /* 1: few passes that go far along rows and columns instead of one an iteration; see JUMPS */
     int rounds; /* of jumps: along rows and along columns; 0: default what reaches without a bend, and 2 for bends */
     int until_stable; /* 1: as many rounds as are needed: beta and gamma as iterated, exactly */
     float thin;       /* beta and gamma reach no farther than this share of the surface's width there; 0: any (paper) */
@@ -656,6 +658,12 @@ typedef enum oit_opacity {
     OIT_OPACITY_DEEP   /* clear where flat, over a wider range of depth (figure 7b) */
 } oit_opacity;
 
+/* Lines within a surface, drawn by oit_compose on every layer, hidden ones as well. SUGGESTIVE (DeCarlo et al. 2003): where
+   the curvature in the direction to the eye, laid into the surface, is 0 and rises toward the eye: contours of views
+   nearby. None on what is convex. They fade where surfaces face the eye (below 30 degrees; from 14 on there is none), and
+   where that rise is small. */
+typedef enum oit_contours { OIT_CONTOURS_NONE, OIT_CONTOURS_SUGGESTIVE } oit_contours;
+
 typedef struct oit_curvature {
     float unit; /* length whose reciprocal is a curvature of 1, units of the eye's space; 0: per pixel, as published */
     oit_shade shade;
@@ -664,6 +672,14 @@ typedef struct oit_curvature {
     const float *opacities; /* instead: OIT_TRANSFER_DEPTHS rows, near to far, of OIT_TRANSFER_CURVATURES opacities in
                                [0,1] for |kappa| from 0 to 1; kept in 16 bits */
     float first, last;      /* distances along the view that are the depths 0 and 1; both 0: those of the projection */
+    oit_contours contours;  /* needs OIT_OPERATE_CONTOURS */
+    int contour_iterations; /* of equation 8 that the curvature toward the eye is smoothed by, over sqrt(n)/2 pixels along
+                               the surface: faces that are larger show; at most 65533; 0: default 64; negative: none */
+    float contour_width;    /* pixels; 0: default 1.5 */
+    float
+        contour_least; /* of the rise, in radii of the link to the power -2: below it is no line, from twice as much on a
+                            whole one; 0: default 1; negative: 0 */
+    float contour_color[3];
 } oit_curvature;
 
 /* The values of a fragment, by the names that shaders have for them: OIT_BASE, ..., OIT_HOST + k. */
@@ -1260,6 +1276,98 @@ static const char *const oit_i_shader_oit_compose_glsl[] = {
     "#define S(r, q, u, v) { bool g = oit_words_after(r, u, false); X(r, u, g) }\n"
     "#endif\n"
     "#define Y(r, q, i) oit_lay(r, q);\n"
+    "#endif\n",
+    0};
+static const char *const oit_i_shader_oit_contour_glsl[] = {
+    "#line 1\n"
+    "// For: oit_buffers.h\n"
+    "// Suggestive contours (DeCarlo, Finkelstein, Rusinkiewicz, Santella 2003) on every layer, by links: where the curvature\n"
+    "// in the direction to the eye, laid into the surface, is 0 and rises toward the eye. With normals that face the eye convex\n"
+    "// is positive here. Surfaces are looked at over two pixels each way, or as far as links lead.\n"
+    "#define OIT_IN_RADIAL oit_at[5].w // that curvature, in units of the eye's space, then smoothed; 0 where it cannot be told\n"
+    "\n"
+    "struct oit_cross // around a fragment: left, right, below, above\n"
+    "{\n"
+    "    uint slots[4];\n"
+    "    vec3 across[2]; // in the space of the eye\n"
+    "    vec2 pixels;\n"
+    "};\n"
+    "\n"
+    "// False: an axis has no extent.\n"
+    "bool oit_cross_of(uint p, uint slot, out oit_cross c)\n"
+    "{\n"
+    "    uvec4 pixels = uvec4(p);\n"
+    "    c.pixels = vec2(0.0);\n"
+    "    for (uint d = 0u; d < 4u; ++d) {\n"
+    "        c.slots[d] = slot;\n"
+    "        for (uint k = 0u; k < 2u; ++k) {\n"
+    "            uint next = oit_neighbour(pixels[d], c.slots[d], d), q;\n"
+    "            if (next == OIT_NONE || !oit_beside(pixels[d], d, q))\n"
+    "                break;\n"
+    "            pixels[d] = q;\n"
+    "            c.slots[d] = next;\n"
+    "            c.pixels[d >> 1u] += 1.0;\n"
+    "        }\n"
+    "    }\n"
+    "    for (uint axis = 0u; axis < 2u; ++axis)\n"
+    "        c.across[axis] = oit_position(oit_device(pixels[2u * axis + 1u]), oit_depth(c.slots[2u * axis + 1u])) -\n"
+    "                         oit_position(oit_device(pixels[2u * axis]), oit_depth(c.slots[2u * axis]));\n"
+    "    return c.pixels.x > 0.0 && c.pixels.y > 0.0;\n"
+    "}\n"
+    "\n"
+    "// The direction to the eye less its part along the normal, and that as so much of what lies across on either axis. False:\n"
+    "// it cannot be told.\n"
+    "bool oit_toward(uint p, uint slot, oit_cross c, out vec3 toward, out vec2 parts)\n"
+    "{\n"
+    "    vec3 normal = oit_normal(slot), eye = oit_to_eye(oit_device(p));\n"
+    "    float xx = dot(c.across[0], c.across[0]), xy = dot(c.across[0], c.across[1]), yy = dot(c.across[1], c.across[1]);\n"
+    "    float square = xx * yy - xy * xy;\n"
+    "    toward = eye - dot(eye, normal) * normal;\n"
+    "    float x = dot(toward, c.across[0]), y = dot(toward, c.across[1]);\n"
+    "    parts = vec2(yy * x - xy * y, xx * y - xy * x) / square;\n"
+    "    return square > 1.0e-6 * xx * yy && dot(toward, toward) > 1.0e-6;\n"
+    "}\n"
+    "\n"
+    "#ifndef OIT_COMPOSES\n"
+    "// Beside silhouettes curvatures without bound would be smoothed into their surroundings: k becomes k / (1 + |k| r / 10),\n"
+    "// which keeps zeros, and slopes there. oit_set[0].w: r / 10.\n"
+    "float oit_radial(uint p, uint slot)\n"
+    "{\n"
+    "    oit_cross c;\n"
+    "    vec3 toward;\n"
+    "    vec2 parts;\n"
+    "    if (!oit_cross_of(p, slot, c) || !oit_toward(p, slot, c, toward, parts))\n"
+    "        return 0.0;\n"
+    "    vec3 bend = parts.x * (oit_normal(c.slots[1]) - oit_normal(c.slots[0])) +\n"
+    "                parts.y * (oit_normal(c.slots[3]) - oit_normal(c.slots[2]));\n"
+    "    float radial = dot(bend, toward) / dot(toward, toward);\n"
+    "    radial /= 1.0 + abs(radial) * oit_set[0].w;\n"
+    "    return dot(oit_normal(slot), oit_to_eye(oit_device(p))) < 0.0 ? -radial : radial;\n"
+    "}\n"
+    "#else\n"
+    "float oit_radial_of(uint slot)\n"
+    "{\n"
+    "    return uintBitsToFloat(oit_surface[OIT_IN_RADIAL + slot]);\n"
+    "}\n"
+    "\n"
+    "// How much of a fragment a contour covers: by its distance in pixels, to first order, and fading where the curvature rises\n"
+    "// slowly or the surface faces the eye, where contours say little. oit_set[1]: x: half a line and half a pixel; y: 1 over\n"
+    "// the least rise.\n"
+    "float oit_contour(uint p, uint slot)\n"
+    "{\n"
+    "    oit_cross c;\n"
+    "    vec3 toward;\n"
+    "    vec2 parts, rise;\n"
+    "    if (!oit_cross_of(p, slot, c) || !oit_toward(p, slot, c, toward, parts))\n"
+    "        return 0.0;\n"
+    "    for (uint axis = 0u; axis < 2u; ++axis)\n"
+    "        rise[axis] = oit_radial_of(c.slots[2u * axis + 1u]) - oit_radial_of(c.slots[2u * axis]);\n"
+    "    float steep = length(toward), each = length(rise / c.pixels), covered = oit_set[1].x * each - abs(oit_radial_of(slot));\n"
+    "    if (!(covered > 0.0))\n"
+    "        return 0.0;\n"
+    "    return min(covered / each, 1.0) * clamp(dot(parts, rise) / steep * oit_set[1].y - 1.0, 0.0, 1.0) *\n"
+    "           clamp(4.0 * steep - 1.0, 0.0, 1.0);\n"
+    "}\n"
     "#endif\n",
     0};
 static const char *const oit_i_shader_oit_depth_frag[] = {
@@ -2123,7 +2231,8 @@ static const char *const oit_i_shader_oit_operator_compose_frag[] = {
     "// For: oit_buffers.h\n"
     "// The pixels' runs in the order of their slots over the target, each surface with the opacity that the operators made\n"
     "// (Carnecky 2013, section 5.5, algorithm 3) and shaded by its curvature (Murray 2016, section 5.2). OIT_STEP: x: bits: 1:\n"
-    "// base, 2: beta and gamma, 4: shade, 8: algorithm 3 as printed; y, z: profiles of beta and gamma; oit_set[0]: their p.\n"
+    "// base, 2: beta and gamma, 4: shade, 8: algorithm 3 as printed, 16: contours; y, z: profiles of beta and gamma; oit_set[0]:\n"
+    "// their p; oit_set[2]: colour of contours.\n"
     "// OIT_EXTRA_STEP and oit_set[7]: as oit_value says.\n"
     "#if OIT_MODE == OIT_MODE_DUAL\n"
     "layout(location = 0, index = 0) out highp vec4 oit_out;\n"
@@ -2139,6 +2248,7 @@ static const char *const oit_i_shader_oit_operator_compose_frag[] = {
     "#endif\n"
     "vec3 oit_sum = vec3(0.0);\n"
     "OIT_THROUGH oit_through = OIT_THROUGH(1.0);\n"
+    "uint oit_here = 0u; // the pixel\n"
     "\n"
     "bool oit_visible()\n"
     "{\n"
@@ -2189,10 +2299,17 @@ static const char *const oit_i_shader_oit_operator_compose_frag[] = {
     "    uint what = OIT_STEP.x;\n"
     "    if ((what & 1u) != 0u)\n"
     "        color.a = oit_value(OIT_BASE, slot);\n"
+    "    float line = 0.0;\n"
+    "#if OIT_CONTOURS\n"
+    "    if ((what & 16u) != 0u)\n"
+    "        line = oit_contour(oit_here, slot);\n"
+    "    color.a += (1.0 - color.a) * line;\n"
+    "#endif\n"
     "    if ((what & 2u) != 0u)\n"
     "        color.a = (1.0 - oit_halo(slot)) * (color.a + (1.0 - color.a) * oit_outline(slot));\n"
     "    if ((what & 4u) != 0u)\n"
     "        color.rgb *= oit_shade(oit_value(OIT_KAPPA, slot));\n"
+    "    color.rgb = mix(color.rgb, oit_set[2].rgb, line);\n"
     "    return color;\n"
     "}\n"
     "\n"
@@ -2237,18 +2354,19 @@ static const char *const oit_i_shader_oit_operator_compose_frag[] = {
     "\n"
     "void main()\n"
     "{\n"
-    "    ivec2 where = ivec2(gl_FragCoord.xy) - oit_area.xy;\n"
+    "    ivec2 where = ivec2(gl_FragCoord.xy) - oit_area.xy;\n",
+    "#line 128\n"
     "    uint p = uint(where.y) * uint(oit_area.z) + uint(where.x), first, n = oit_list(p, first);\n"
     "    if (n == 0u)\n"
     "        discard;\n"
+    "    oit_here = p;\n"
     "    for (uint i = 0u; i < n && oit_visible(); ++i)\n"
     "        oit_lay(first + i);\n"
     "#if OIT_KEEPS\n"
     "    oit_lay_tail(p);\n"
     "#endif\n"
     "#if OIT_MODE == OIT_MODE_DUAL\n"
-    "    oit_out = vec4(oit_sum, 0.0);\n",
-    "#line 129\n"
+    "    oit_out = vec4(oit_sum, 0.0);\n"
     "    oit_keep = vec4(oit_light.w * oit_through, 0.0);\n"
     "#elif OIT_MODE == OIT_MODE_FILTER\n"
     "    oit_out = vec4(oit_light.w * oit_through, 0.0);\n"
@@ -2272,9 +2390,7 @@ static const char *const oit_i_shader_oit_operator_connect_comp[] = {
     "\n"
     "oit_side oit_look_toward(uint slot, uint direction)\n"
     "{\n"
-    "    oit_side side = oit_look(slot);\n"
-    "    side.predicted = oit_predict(side, direction);\n"
-    "    return side;\n"
+    "    return oit_toward(oit_look(slot), direction);\n"
     "}\n"
     "\n"
     "float oit_measure(oit_side side, uint slot)\n"
@@ -2365,9 +2481,9 @@ static const char *const oit_i_shader_oit_operator_connect_comp[] = {
     "    uint direction = OIT_STEP.x, first, n = oit_list(p, first), q, other;\n"
     "    uint m = oit_beside(p, direction, q) ? oit_list(q, other) : 0u;\n"
     "    for (uint i = 0u; i < n; ++i) {\n"
-    "        uint best = OIT_NONE;\n",
-    "#line 106\n"
-    "        if (m > 0u && oit_is_surface(first + i))\n"
+    "        uint best = OIT_NONE;\n"
+    "        if (m > 0u && oit_is_surface(first + i))\n",
+    "#line 105\n"
     "            best = oit_choose(first, n, i, direction, other, m);\n"
     "        oit_set_link(first + i, direction, best);\n"
     "    }\n"
@@ -2381,7 +2497,7 @@ static const char *const oit_i_shader_oit_operator_curve_comp[] = {
     "// Curvature of the surface at a fragment, tanh(kappa1 + kappa2) (Murray 2016, section 5.1), and opacity from it. The trace\n"
     "// of the map from steps along the surface to differences of normals: no division by a normal's z, so that grazing normals\n"
     "// are bounded. Without one of the four neighbours -1. OIT_STEP: x: 1: the opacities go to base; oit_set[0]: x: 1 / unit, 0:\n"
-    "// steps are those in the window; y, z: distance to depth.\n"
+    "// steps are those in the window; y, z: distance to depth; w: as oit_radial says. OIT_STEP.y: 1: the curvature toward the eye, too.\n"
     "layout(location = 16) uniform highp uvec4 oit_opacities[64]; // 16 rows of 32 in 16 bits each\n"
     "\n"
     "float oit_opacity_entry(uint at)\n"
@@ -2433,6 +2549,10 @@ static const char *const oit_i_shader_oit_operator_curve_comp[] = {
     "        bool surface = oit_is_surface(slot);\n"
     "        float kappa = surface ? oit_kappa(p, slot) : 0.0;\n"
     "        oit_surface[OIT_IN_KAPPA + slot] = floatBitsToUint(kappa);\n"
+    "#if OIT_CONTOURS\n"
+    "        if (OIT_STEP.y != 0u)\n"
+    "            oit_surface[OIT_IN_RADIAL + slot] = floatBitsToUint(surface ? oit_radial(p, slot) : 0.0);\n"
+    "#endif\n"
     "        if (OIT_STEP.x != 0u && surface)\n"
     "            oit_set_value(OIT_BASE, slot, oit_opacity(abs(kappa), (oit_distance(oit_depth(slot)) - oit_set[0].y) * oit_set[0].z));\n"
     "    }\n"
@@ -2644,16 +2764,31 @@ static const char *const oit_i_shader_oit_operator_pairs_glsl[] = {
     "struct oit_side // of a pair: the one that looks\n"
     "{\n"
     "    float depth, predicted; // window depth, and distance along the view that its slope makes for the pixel beside\n"
+    "    float ahead;            // what the slope adds to the depth on the way there\n"
+    "    uint direction;\n"
     "    vec2 slope;\n"
     "    vec3 normal;\n"
     "    vec2 uv;\n"
     "    uint part;\n"
     "};\n"
     "\n"
-    "float oit_predict(oit_side side, uint direction)\n"
+    "vec2 oit_record_slope(uint at)\n"
     "{\n"
-    "    float ahead = direction < 2u ? side.slope.x : side.slope.y;\n"
-    "    return oit_distance(side.depth + ((direction & 1u) != 0u ? ahead : -ahead));\n"
+    "    return unpackHalf2x16(OIT_WORD(at, OIT_AT_SLOPE)) * (1.0 / 4096.0);\n"
+    "}\n"
+    "\n"
+    "float oit_ahead(vec2 slope, uint direction)\n"
+    "{\n"
+    "    float ahead = direction < 2u ? slope.x : slope.y;\n"
+    "    return (direction & 1u) != 0u ? ahead : -ahead;\n"
+    "}\n"
+    "\n"
+    "oit_side oit_toward(oit_side side, uint direction)\n"
+    "{\n"
+    "    side.direction = direction;\n"
+    "    side.ahead = oit_ahead(side.slope, direction);\n"
+    "    side.predicted = oit_distance(side.depth + side.ahead);\n"
+    "    return side;\n"
     "}\n"
     "\n"
     "// Toward no side yet.\n"
@@ -2661,8 +2796,10 @@ static const char *const oit_i_shader_oit_operator_pairs_glsl[] = {
     "{\n"
     "    uint at = oit_record(slot);\n"
     "    oit_side side;\n"
-    "    side.slope = unpackHalf2x16(OIT_WORD(at, OIT_AT_SLOPE)) * (1.0 / 4096.0);\n"
+    "    side.slope = oit_record_slope(at);\n"
     "    side.depth = side.predicted = oit_record_window_depth(at);\n"
+    "    side.ahead = 0.0;\n"
+    "    side.direction = 0u;\n"
     "    side.normal = oit_record_normal(at);\n"
     "    side.part = OIT_WORD(at, OIT_AT_PART);\n"
     "    side.uv = vec2(0.0);\n"
@@ -2691,9 +2828,19 @@ static const char *const oit_i_shader_oit_operator_pairs_glsl[] = {
     "    return OIT_WORD(at, OIT_AT_PART) == side.part && oit_record_blend(at) == 0u;\n"
     "}\n"
     "\n"
+    "// Within the limit of what its slope predicts, or where a surface is found whose slope changes steadily from the one's to\n"
+    "// the other's: between what the two slopes say. So a surface holds together where it is seen at a grazing angle, and\n"
+    "// beyond the limit nothing is glued to what lies behind it and slopes alike.\n"
+    "bool oit_is_continuous(oit_side side, uint at, float apart)\n"
+    "{\n"
+    "    float rise = oit_record_window_depth(at) - side.depth;\n"
+    "    return apart <= OIT_LIMIT_APART || (rise > side.ahead) != (rise > oit_ahead(oit_record_slope(at), side.direction));\n"
+    "}\n"
+    "\n"
     "float oit_measure_by_depth(oit_side side, uint at, float apart)\n"
     "{\n"
-    "    return apart <= OIT_LIMIT_APART ? OIT_DEPTH_WEIGHT * apart + OIT_NORMAL_WEIGHT * oit_bend(side, at) : OIT_NEVER;\n"
+    "    return oit_is_continuous(side, at, apart) ? OIT_DEPTH_WEIGHT * apart + OIT_NORMAL_WEIGHT * oit_bend(side, at)\n"
+    "                                              : OIT_NEVER;\n"
     "}\n",
     0};
 static const char *const oit_i_shader_oit_operator_size_comp[] = {
@@ -2934,7 +3081,7 @@ static const char *const oit_i_shader_oit_operator_window_comp[] = {
     "\n"
     "uint oit_choose(oit_side side, uint direction, inout oit_window w)\n"
     "{\n"
-    "    side.predicted = oit_predict(side, direction);\n"
+    "    side = oit_toward(side, direction);\n"
     "    float place = side.predicted * oit_set[1].y, least = OIT_NEVER;\n"
     "    oit_move(w, place);\n"
     "    uint before = w.from - 1u, behind = w.from, best = OIT_NONE; // before: beyond the run when it has passed 0\n"
@@ -2947,7 +3094,7 @@ static const char *const oit_i_shader_oit_operator_window_comp[] = {
     "        bool back = gap_before < gap_behind;\n"
     "        float gap = back ? gap_before : gap_behind;\n"
     "        uint i = back ? before : behind, at = back ? at_before : at_behind, next = back ? i - 1u : i + 1u;\n"
-    "        on = gap <= OIT_LIMIT_APART && !(OIT_DEPTH_WEIGHT * gap > least) && i < w.count;\n"
+    "        on = !(OIT_DEPTH_WEIGHT * gap > least) && i < w.count;\n"
     "        if (on) {\n"
     "            float measure = oit_may_join(side, at) ? oit_measure_by_depth(side, at, gap) : OIT_NEVER;\n"
     "            bool better = measure < least || (measure == least && best != OIT_NONE && i < best);\n"
@@ -2960,13 +3107,12 @@ static const char *const oit_i_shader_oit_operator_window_comp[] = {
     "            }\n"
     "            before = back ? next : before;\n"
     "            behind = back ? behind : next;\n"
-    "            at_before = back ? at : at_before;\n",
-    "#line 92\n"
-    "            at_behind = back ? at_behind : at;\n"
+    "            at_before = back ? at : at_before;\n"
+    "            at_behind = back ? at_behind : at;\n",
+    "#line 93\n"
     "            gap_before = back ? gap : gap_before;\n"
     "            gap_behind = back ? gap_behind : gap;\n"
-    "            gap = min(gap_before, gap_behind);\n"
-    "            on = gap <= OIT_LIMIT_APART && !(OIT_DEPTH_WEIGHT * gap > least);\n"
+    "            on = !(OIT_DEPTH_WEIGHT * min(gap_before, gap_behind) > least);\n"
     "        }\n"
     "    } while (on);\n"
     "    return best;\n"
@@ -4458,6 +4604,7 @@ enum {
     OIT_I_AT_SIZES,
     OIT_I_AT_SIZES_HIGH,
     OIT_I_AT_GROUPED,
+    OIT_I_AT_RADIAL,
     OIT_I_AT_HOST,
     OIT_I_SECTIONS = OIT_I_AT_HOST + OIT_MAX_OPERATOR_FIELDS
 };
@@ -4885,11 +5032,13 @@ static oit_i_record oit_i_layout(const oit_desc *desc);
 
 /* What a run of an operator leaves for those after it in the frame. */
 enum { OIT_I_DID_SORT = 1, OIT_I_DID_LINK = 2, OIT_I_DID_BASE = 4, OIT_I_DID_SMART = 8, OIT_I_DID_CURVE = 16 };
-enum { OIT_I_DID_SHADE = 32 };
+enum { OIT_I_DID_SHADE = 32, OIT_I_DID_CONTOUR = 64 };
 
 static oit_i_u oit_i_links_of(oit_i_u operators) {
     if (operators & (OIT_OPERATE_DIFFUSION | OIT_OPERATE_THIN))
         operators |= OIT_OPERATE_SMART;
+    if (operators & OIT_OPERATE_CONTOURS)
+        operators |= OIT_OPERATE_CURVATURE;
     if (operators & (OIT_OPERATE_SMART | OIT_OPERATE_CURVATURE))
         operators |= OIT_OPERATE_LINKS | OIT_OPERATE_LAW;
     if (operators & OIT_OPERATE_BUCKETS)
@@ -5647,29 +5796,40 @@ static int oit_i_is_operator(int program) {
     return program >= OIT_I_PROGRAM_SORT && program < OIT_I_PROGRAM_LAID;
 }
 
+/* What curve and compose share where there are contours. */
+static void oit_i_contour_source(oit_i_source *source, int contours) {
+    if (contours)
+        oit_i_add_chunks(source, oit_i_shader_oit_contour_glsl);
+}
+
 /* Whether a work item takes a stretch of a row or of a column, not a pixel. */
 static int oit_i_goes_along(int program) {
     return program == OIT_I_PROGRAM_JUMP || program == OIT_I_PROGRAM_SIZE || program == OIT_I_PROGRAM_CHAIN;
 }
 
-static void oit_i_built_in_operator_source(oit_i_source *source, int program) {
+static void oit_i_built_in_operator_source(oit_i_source *source, int program, int contours) {
+    oit_i_add(source, contours ? "#define OIT_CONTOURS 1\n" : "#define OIT_CONTOURS 0\n");
     if (oit_i_goes_along(program))
         oit_i_add(source, "#define OIT_OWN_MAIN 1\n");
     oit_i_operator_source(source);
     oit_i_add_chunks(source, oit_i_shader_oit_operator_glsl);
     if (program == OIT_I_PROGRAM_CONNECT || program == OIT_I_PROGRAM_WINDOW)
         oit_i_add_chunks(source, oit_i_shader_oit_operator_pairs_glsl);
+    if (program == OIT_I_PROGRAM_CURVE)
+        oit_i_contour_source(source, contours);
     oit_i_add_chunks(source, oit_i_operators[program - OIT_I_PROGRAM_SORT]);
 }
 
-static void oit_i_laid_source(oit_i_source *source, int mode) {
+static void oit_i_laid_source(oit_i_source *source, int mode, int contours) {
     static const char *const modes[4] = {"#define OIT_MODE 0\n", "#define OIT_MODE 1\n", "#define OIT_MODE 2\n",
                                          "#define OIT_MODE 3\n"};
     oit_i_add(source, modes[mode]);
     oit_i_add(source, "#define OIT_COMPOSES 1\n");
+    oit_i_add(source, contours ? "#define OIT_CONTOURS 1\n" : "#define OIT_CONTOURS 0\n");
     oit_i_operator_source(source);
     oit_i_add_chunks(source, oit_i_shader_oit_behind_glsl);
     oit_i_add_chunks(source, oit_i_shader_oit_operator_glsl);
+    oit_i_contour_source(source, contours);
     oit_i_add_chunks(source, oit_i_shader_oit_operator_compose_frag);
 }
 
@@ -5689,11 +5849,11 @@ static void oit_i_program_source(oit_i_source *source, int program, oit_stage st
     }
     oit_i_add_preamble(source, es, preamble);
     if (oit_i_is_operator(program)) {
-        oit_i_built_in_operator_source(source, program);
+        oit_i_built_in_operator_source(source, program, (desc->operators & OIT_OPERATE_CONTOURS) != 0);
     } else if (program >= OIT_I_PROGRAM_LAID && stage == OIT_FRAGMENT) {
         if (desc->fields & OIT_FIELD_BLEND)
             mode = !es ? OIT_I_MODE_DUAL : program == OIT_I_PROGRAM_LAID_LIGHT ? OIT_I_MODE_LIGHT : OIT_I_MODE_FILTER;
-        oit_i_laid_source(source, mode);
+        oit_i_laid_source(source, mode, (desc->operators & OIT_OPERATE_CONTOURS) != 0);
     } else if ((program == OIT_I_PROGRAM_FIRST || program == OIT_I_PROGRAM_LAY) && stage == OIT_FRAGMENT) {
         oit_i_lay_source(source, program);
     } else if (program == OIT_I_PROGRAM_PICK || (program == OIT_I_PROGRAM_DEPTH && stage == OIT_FRAGMENT)) {
@@ -6064,7 +6224,7 @@ static int oit_i_has_section(const oit_context *oit, int section, int wide) {
     case OIT_I_AT_BASE:
         return (operators & OIT_OPERATE_LAW) != 0;
     case OIT_I_AT_SPARE:
-        return (operators & (OIT_OPERATE_SMART | OIT_OPERATE_LOCAL)) != 0;
+        return (operators & (OIT_OPERATE_SMART | OIT_OPERATE_LOCAL | OIT_OPERATE_CONTOURS)) != 0;
     case OIT_I_AT_REACH:
         return (operators & OIT_OPERATE_SMART) != 0;
     case OIT_I_AT_KAPPA:
@@ -6077,6 +6237,8 @@ static int oit_i_has_section(const oit_context *oit, int section, int wide) {
         return (operators & OIT_OPERATE_THIN) != 0;
     case OIT_I_AT_GROUPED:
         return (operators & OIT_OPERATE_BUCKETS) != 0;
+    case OIT_I_AT_RADIAL:
+        return (operators & OIT_OPERATE_CONTOURS) != 0;
     default:
         return section - OIT_I_AT_HOST < oit->desc.operator_fields;
     }
@@ -6834,10 +6996,11 @@ OIT_I_API oit_result oit_begin(oit_context *oit, const oit_frame *frame) {
      size     links, reach read; sizes both, in place: only distances that have come for certain are used     bound
      solve    links read; reach both, in place: see the shader; one field to spare      bound, law, solve
      jump     links read; reach both, in place: stretches side by side take turns; what has changed in spare     bound, jump
-     chain    links, base read; spare written, which then is base         law, chain
-     curve    order, links read; kappa, base written                      mutual
+     chain    links, base or radial read; spare written, which then is that       law, curve, chain
+     curve    order, links read; kappa, base, radial written              mutual
      host     anything read; base and fields of the own pixel, or spare, written      any of these
-     compose  order, base, reach, sizes, beta, gamma, kappa read          any of these; and the next frame's clear and fill
+     compose  order, links, base, reach, sizes, beta, gamma, kappa, radial read
+                                                     any of these; and the next frame's clear and fill
 
    What the CPU maps (report; starts, to cut bands) takes a barrier of buffer updates, and then its fence, or waits. */
 static oit_i_u oit_i_barrier_before(oit_pass_kind kind) {
@@ -6888,7 +7051,8 @@ static int oit_i_is_lit(const oit_context *oit) {
 /* Whether that draw of the composition is the one by what operators have made, which stands for the programs of all
    depths. */
 static int oit_i_lays(const oit_context *oit, int draw) {
-    return (oit->did & (OIT_I_DID_BASE | OIT_I_DID_SMART | OIT_I_DID_SHADE)) && draw % (OIT_I_CLASSES + 1) == 0;
+    oit_i_u made = OIT_I_DID_BASE | OIT_I_DID_SMART | OIT_I_DID_SHADE | OIT_I_DID_CONTOUR;
+    return (oit->did & made) && draw % (OIT_I_CLASSES + 1) == 0;
 }
 
 static int oit_i_program_of(const oit_context *oit, oit_pass_kind kind) {
@@ -6973,7 +7137,7 @@ static oit_link oit_i_resolve_link(oit_link link) {
     if (link.depth_weight == 0.0f && link.normal_weight == 0.0f)
         link.depth_weight = link.normal_weight = 0.5f;
     link.radius = oit_i_or(link.radius, 1.0f);
-    link.limit = link.limit == 0.0f ? 0.05f : link.limit;
+    link.limit = link.limit == 0.0f ? 0.04f : link.limit;
     if (link.criterion != OIT_LINK_DEPTH && link.search == OIT_SEARCH_WINDOWED)
         link.search = OIT_SEARCH_BRUTE;
     return link;
@@ -7057,7 +7221,22 @@ static const char *oit_i_bad_smart(const oit_context *oit, const oit_smart *smar
     return bad;
 }
 
-static const char *oit_i_bad_curvature(const oit_curvature *curvature) {
+static const char *oit_i_bad_contours(const oit_context *oit, const oit_curvature *curvature) {
+    if ((unsigned)curvature->contours > (unsigned)OIT_CONTOURS_SUGGESTIVE)
+        return "curvature.contours is none of its enumerators";
+    if (curvature->contours == OIT_CONTOURS_NONE)
+        return 0;
+    if (!(oit->desc.operators & OIT_OPERATE_CONTOURS))
+        return "curvature.contours needs OIT_OPERATE_CONTOURS in desc.operators";
+    if (curvature->contour_iterations > 65533)
+        return "curvature.contour_iterations are more than 65533";
+    if (!oit_i_all_finite(&curvature->contour_width, 1) || curvature->contour_width < 0.0f ||
+        !oit_i_all_finite(&curvature->contour_least, 1) || !oit_i_all_finite(curvature->contour_color, 3))
+        return "a number of curvature.contour_* is not finite, or curvature.contour_width is negative";
+    return 0;
+}
+
+static const char *oit_i_bad_curvature(const oit_context *oit, const oit_curvature *curvature) {
     const float numbers[3] = {curvature->unit, curvature->first, curvature->last};
     if ((unsigned)curvature->shade > (unsigned)OIT_SHADE_CURVED ||
         (unsigned)curvature->opacity > (unsigned)OIT_OPACITY_DEEP)
@@ -7068,7 +7247,7 @@ static const char *oit_i_bad_curvature(const oit_curvature *curvature) {
         return "a number of curvature.shades is not finite";
     if (curvature->opacities && !oit_i_all_finite(curvature->opacities, OIT_TRANSFER_CURVATURES * OIT_TRANSFER_DEPTHS))
         return "a number of curvature.opacities is not finite";
-    return 0;
+    return oit_i_bad_contours(oit, curvature);
 }
 
 static const char *oit_i_bad_host(const oit_context *oit, const oit_host_operator *host) {
@@ -7102,7 +7281,7 @@ static const char *oit_i_bad_operator(const oit_context *oit, const oit_operator
     case OIT_RUN_SMART:
         return oit_i_bad_smart(oit, &op->smart);
     case OIT_RUN_CURVATURE:
-        return oit_i_bad_curvature(&op->curvature);
+        return oit_i_bad_curvature(oit, &op->curvature);
     default:
         return oit_i_bad_host(oit, &op->host);
     }
@@ -7170,6 +7349,15 @@ static int oit_i_links_are_mutual(const oit_context *oit) {
     return !oit->link.no_reverse_check && oit->link.criterion != OIT_LINK_PUBLISHED;
 }
 
+/* So many iterations of equation 8 without a mask; chains are followed only where links are mutual. */
+static void oit_i_add_smoothing(oit_context *oit, int section, int iterations) {
+    if (!oit_i_links_are_mutual(oit))
+        oit_i_add_stage(oit, OIT_I_PROGRAM_SOLVE, section, iterations);
+    else if (iterations > 0)
+        oit_i_add_stage(oit, OIT_I_PROGRAM_CHAIN, section,
+                        (iterations + OIT_I_CHAIN_STEPS - 1) / OIT_I_CHAIN_STEPS + 1);
+}
+
 static void oit_i_plan_smart(oit_context *oit) {
     const oit_smart *smart = &oit->smart;
     int greatest = oit_i_greatest_steps(smart), base = smart->base.iterations;
@@ -7180,11 +7368,7 @@ static void oit_i_plan_smart(oit_context *oit) {
         oit_i_add_stage(oit, OIT_I_PROGRAM_SIZE, 0, oit_i_size_passes(smart));
     if (smart->jumps) {
         oit_i_add_stage(oit, OIT_I_PROGRAM_JUMP, 0, 4 * oit_i_jump_rounds(smart, greatest));
-        if (oit_i_links_are_mutual(oit))
-            oit_i_add_stage(oit, OIT_I_PROGRAM_CHAIN, 0,
-                            base > 0 ? (base + OIT_I_CHAIN_STEPS - 1) / OIT_I_CHAIN_STEPS + 1 : 0);
-        else
-            oit_i_add_stage(oit, OIT_I_PROGRAM_SOLVE, OIT_I_AT_BASE, base);
+        oit_i_add_smoothing(oit, OIT_I_AT_BASE, base);
     } else {
         oit_i_add_stage(oit, OIT_I_PROGRAM_SOLVE, OIT_I_AT_BASE, greatest > base ? greatest : base);
     }
@@ -7220,6 +7404,8 @@ static void oit_i_plan(oit_context *oit, const oit_operator *op) {
         if (oit->curvature_base && !(oit->did & OIT_I_DID_BASE)) /* of what is no surface, too */
             oit_i_add_stage(oit, OIT_I_PROGRAM_LAW, OIT_LAW_GIVEN, 1);
         oit_i_add_stage(oit, OIT_I_PROGRAM_CURVE, 0, 1);
+        if (oit->curvature.contours != OIT_CONTOURS_NONE)
+            oit_i_add_smoothing(oit, OIT_I_AT_RADIAL, oit->curvature.contour_iterations);
     } else {
         if (oit_i_host_makes_base(oit, op) && !(oit->did & OIT_I_DID_BASE))
             oit_i_add_stage(oit, OIT_I_PROGRAM_LAW, OIT_LAW_GIVEN, 1);
@@ -7279,22 +7465,25 @@ static void oit_i_number_solve(const oit_context *oit, const oit_i_stage *stage,
     const oit_spread *spread = stage->what == OIT_I_AT_BASE   ? &smart->base
                                : stage->what == OIT_I_AT_BETA ? &smart->beta
                                                               : &smart->gamma;
+    int is_radial = stage->what == OIT_I_AT_RADIAL;
     n->at[2][0] = oit->sections[stage->what];
     n->at[2][1] = oit->sections[OIT_I_AT_SPARE];
     n->at[4][0] = stage->what == OIT_I_AT_BASE && !smart->jumps && step < oit_i_greatest_steps(smart);
-    n->at[4][1] = step < spread->iterations;
+    n->at[4][1] = is_radial || step < spread->iterations;
     n->at[4][2] = stage->what == OIT_I_AT_BETA ? 1u : stage->what == OIT_I_AT_GAMMA ? 2u : 0u;
-    n->set[0][0] = spread->lambda * (smart->published ? 0.25f : 0.125f);
+    n->set[0][0] = is_radial ? 0.125f : spread->lambda * (smart->published ? 0.25f : 0.125f);
 }
 
 static void oit_i_number_chain(const oit_context *oit, const oit_i_stage *stage, int step, oit_i_numbers *n) {
-    int iterations = oit->smart.base.iterations, pairs = stage->count - 1;
-    int steps = oit_i_chain_steps(iterations, pairs, step - 1) + oit_i_chain_steps(iterations, pairs, step);
+    int is_base = stage->what == OIT_I_AT_BASE, pairs = stage->count - 1;
+    int all = is_base ? oit->smart.base.iterations : oit->curvature.contour_iterations;
+    int steps = oit_i_chain_steps(all, pairs, step - 1) + oit_i_chain_steps(all, pairs, step);
+    double lambda = is_base ? (double)oit->smart.base.lambda : 1.0;
     float weights[8];
-    n->at[2][0] = oit->sections[OIT_I_AT_BASE];
+    n->at[2][0] = oit->sections[stage->what];
     n->at[2][1] = oit->sections[OIT_I_AT_SPARE];
     n->at[4][0] = (oit_i_u)step & 1u;
-    oit_i_chain_weights(steps, 0.125 * (double)oit->smart.base.lambda, weights);
+    oit_i_chain_weights(steps, 0.125 * lambda, weights);
     memcpy(n->set, weights, sizeof weights);
 }
 
@@ -7319,16 +7508,29 @@ static void oit_i_number_curve(const oit_context *oit, oit_i_numbers *n) {
     double first, last;
     oit_i_depth_range(oit, &first, &last);
     n->at[4][0] = oit->curvature_base != 0;
+    n->at[4][1] = oit->curvature.contours != OIT_CONTOURS_NONE;
     n->set[0][0] = oit->curvature.unit > 0.0f ? 1.0f / oit->curvature.unit : 0.0f;
     n->set[0][1] = (float)first;
     n->set[0][2] = last != first ? (float)(1.0 / (last - first)) : 0.0f;
+    n->set[0][3] = 0.1f * oit->link.radius;
+}
+
+/* Radii are those of the link. */
+static void oit_i_number_contours(const oit_context *oit, oit_i_numbers *n) {
+    const oit_curvature *curvature = &oit->curvature;
+    float least = oit_i_or(curvature->contour_least, 1.0f), radius = oit->link.radius;
+    n->set[1][0] = 0.5f * oit_i_or(curvature->contour_width, 1.5f) + 0.5f;
+    n->set[1][1] = radius * radius / (least > 1e-30f ? least : 1e-30f);
+    memcpy(n->set[2], curvature->contour_color, sizeof curvature->contour_color);
 }
 
 static void oit_i_number_compose(const oit_context *oit, oit_i_numbers *n) {
     const oit_smart *smart = &oit->smart;
     int is_smart = (oit->did & OIT_I_DID_SMART) != 0;
     n->at[4][0] = ((oit->did & OIT_I_DID_BASE) ? 1u : 0u) | (is_smart ? 2u : 0u) |
-                  ((oit->did & OIT_I_DID_SHADE) ? 4u : 0u) | (is_smart && smart->published ? 8u : 0u);
+                  ((oit->did & OIT_I_DID_SHADE) ? 4u : 0u) | (is_smart && smart->published ? 8u : 0u) |
+                  ((oit->did & OIT_I_DID_CONTOUR) ? 16u : 0u);
+    oit_i_number_contours(oit, n);
     n->at[4][1] = (oit_i_u)smart->beta.profile;
     n->at[4][2] = (oit_i_u)smart->gamma.profile;
     n->set[0][0] = smart->beta.p;
@@ -7363,6 +7565,7 @@ static void oit_i_number_sections(const oit_context *oit, oit_i_numbers *n) {
     if (oit->smart.gamma.process != OIT_PROCESS_DIFFUSION)
         n->at[1][3] = 0u;
     n->at[5][2] = oit->sections[OIT_I_AT_SIZES_HIGH];
+    n->at[5][3] = oit->sections[OIT_I_AT_RADIAL];
 }
 
 /* A word for each 32 x 32 pixels, in the section to spare, which jumps have no other use for; 0: it is too short. */
@@ -7479,7 +7682,7 @@ static void oit_i_advance_operation(oit_context *oit) {
     const oit_i_stage *stage = &oit->stages[oit->stage];
     int step = oit->stage_step;
     if (stage->program == OIT_I_PROGRAM_CHAIN || (stage->program == OIT_I_PROGRAM_HOST && stage->what))
-        oit_i_swap_sections(oit, stage->program == OIT_I_PROGRAM_CHAIN ? OIT_I_AT_BASE : oit->host_section,
+        oit_i_swap_sections(oit, stage->program == OIT_I_PROGRAM_CHAIN ? stage->what : oit->host_section,
                             OIT_I_AT_SPARE);
     else if (stage->program == OIT_I_PROGRAM_SOLVE &&
              (stage->what != OIT_I_AT_BASE || step < oit->smart.base.iterations))
@@ -8127,6 +8330,8 @@ static void oit_i_take_operator(oit_context *oit, const oit_operator *op) {
         oit->smart = oit_i_resolve_smart(op->smart);
     if (op->kind == OIT_RUN_CURVATURE) {
         oit->curvature = op->curvature;
+        if (op->curvature.contour_iterations <= 0)
+            oit->curvature.contour_iterations = op->curvature.contour_iterations ? 0 : 64;
         oit->curvature_base = op->curvature.opacities || op->curvature.opacity != OIT_OPACITY_NONE;
         oit_i_take_shades(oit, &op->curvature);
         oit_i_take_opacities(oit, &op->curvature);
@@ -8147,6 +8352,8 @@ static oit_i_u oit_i_deeds(const oit_context *oit, const oit_operator *op) {
         did |= OIT_I_DID_BASE;
     if (op->kind == OIT_RUN_CURVATURE && (op->curvature.shades || op->curvature.shade != OIT_SHADE_NONE))
         did |= OIT_I_DID_SHADE;
+    if (op->kind == OIT_RUN_CURVATURE && op->curvature.contours != OIT_CONTOURS_NONE)
+        did |= OIT_I_DID_CONTOUR;
     return did;
 }
 

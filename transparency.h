@@ -196,7 +196,9 @@
    - The variant: tr_glsl(tr, stage, rule) before your shaders, tr_see_through(color, code) last in main, then write color to
      location 0; tr_prepare_program() once. code is tr_unit_code() of the unit, a uniform, an attribute of instances or a
      texel. Where TR_WANTS_COLOR is 0 shading may be skipped. Shaders that discard (leaves) do so before the call. Outputs
-     beyond location 0 go nowhere but in TR_PASS_SCENE: attachments of a G-buffer are drawn as ever, and left alone.
+     beyond location 0 go nowhere but in TR_PASS_SCENE: attachments of a G-buffer are drawn as ever, and left alone. In
+     TR_RULE_SEE_PEEL location 1 is ours: leave yours out. Sequences paint what meets masks after TR_PASS_SCENE, into the
+     first draw buffer alone: other attachments lack those units.
    - What to call what: units that must be seen are targets, all else is a distractor but for the ground and the sky, which
      are backdrops (a distractor ground would be cut open along the lower edge of each target), and what shall never be
      seen through, which is impenetrable. Hills are distractors, or impenetrable.
@@ -204,14 +206,20 @@
      frame_index: for deferred pipelines (draw your G-buffer in TR_PASS_SCENE, and depth is right) and with temporal
      anti-aliasing. Both sort nothing, and cost the same for one target and for a thousand but for what is covered.
    - Where no target is in view, or nothing that yields lies before one, TR_PASS_SCENE is all there is and no GL call is made.
+   - In parts: hosts that clear before tr_begin_dynamic, and draw in TR_PASS_SCENE as in any other pass no unit but
+     pass.units, set dynamic.in_parts. Then TR_PASS_SCENE comes several times, by TR_RULE_SEE_PLAIN with the host's own
+     programs into its own target: targets, what never yields, the rest; depth and colour are copied in between, so that
+     TR_SEE_ONE_MASK draws again what shows through and nothing else, and TR_SEE_DITHER draws each unit once, most of them
+     without the discard. The picture is the same. What the target has to be for it: tr_begin_dynamic.
    - Search lights: targets with TR_UNIT_ACTIVE are seen inside of dynamic.lights only. Coming and going: tr_advance(), with
      wanted 1 for what shall fade out; it is the mask that fades, not the unit.
    - tr_query_hidden() tells how much of each target is hidden, two or three frames late, without waiting.
    - Two-sided materials: passes cull back faces, as pass.state says; switch that off and on again around what has two sides.
    - State: before TR_PASS_SCENE it is the host's, see tr_begin_dynamic; in the other passes it is ours, as in any sequence.
-   - Memory: 16.6 bytes of textures a pixel with masks at half the resolution, 4 more for TR_SEE_ONE_MASK, 1 more where
-     some importance of a distractor is neither 0 nor 1 (tr_see_plan.bytes). Lists of units, 44 bytes each, and the answers
-     of queries, half a megabyte, are a second and a third block on the heap; tr_release gives all of it back.
+   - Memory: 14.9 bytes of textures a pixel with masks at a quarter of the resolution; TR_SEE_ONE_MASK with lights or
+     queries 4 more, in parts 8 more; 1 more where some importance of a distractor is neither 0 nor 1
+     (tr_see_plan.bytes). Lists of units, 52 bytes each, and the answers of
+     queries, half a megabyte, are a second and a third block on the heap; tr_release gives all of it back.
    - Limits: the nearest of several targets at a pixel owns it, so that what is before the others is cut for the nearest
      alone. Behind an occluder other faces of the same object may show beside a target. What shows through passes through 8
      bits; with TR_WISH_SRGB through sRGB ones. Of multisampled targets the mask is a pixel's. Errors, prices and where
@@ -460,6 +468,8 @@ typedef enum tr_pass_kind {
     TR_PASS_KEEP,           /* full screen: whose it is */
     TR_PASS_SHARE,          /* boxes: what masks leave of the opacity of four layers */
     TR_PASS_COMPOSE_LAYERS, /* full screen, into the target */
+    /* of tr_dynamic.in_parts */
+    TR_PASS_TAKE, /* copies depth, or depth and colour, of what the host has drawn so far */
     TR_PASS_KIND_COUNT
 } tr_pass_kind;
 
@@ -608,7 +618,7 @@ enum {
 
 /* One a host's object, in a plain array or at the start of larger structs; read by tr_begin_dynamic, not kept. */
 typedef struct tr_unit {
-    uint32_t id;             /* stable, at most 65535; targets: from 1, unique among them */
+    uint32_t id;             /* stable, at most 65535; targets: from 1, unique among them; TR_SEE_EXACT: among all */
     uint32_t flags;          /* TR_UNIT_*; 0: a distractor */
     float center[3], radius; /* bounding sphere in the world. Not finite, or radius < 0: no bounds, the whole viewport;
                                 radius 0: a point. Where middles give the order, a centre that is not finite is the
@@ -664,8 +674,8 @@ typedef struct tr_dynamic {
     float alpha_target;     /* opacity left before a target, in [0,1]; 0: 0.3; negative: 0 */
     float alpha_start;      /* and beside it, from where it rises to 1; 0: 0.1; negative: 0 */
     float width;            /* pixels in which it rises, at most TR_MAX_MASK_WIDTH; 0: 12; negative: none */
-    int mask_divisor;       /* pixels a mask texel, 1, 2, 4 or 8; 0: 2, of TR_SEE_EXACT 1. The target's own pixels are
-                               always as drawn */
+    int mask_divisor;       /* pixels a mask texel, 1, 2, 4 or 8; 0: 4, of the sequences 2, of TR_SEE_EXACT 1. The
+                               target's own pixels are always as drawn */
     int layers;             /* layer control: only so many layers, from the eye, become transparent; 0: all */
     const tr_light *lights; /* of active targets; at most TR_MAX_LIGHTS */
     size_t light_count;
@@ -675,16 +685,18 @@ typedef struct tr_dynamic {
     const void *units;    /* unit_count times tr_unit, unit_stride bytes apart; 0: sizeof(tr_unit) */
     size_t unit_count, unit_stride;
     float view[16], projection[16]; /* column-major: world to eye (w = 1), eye to clip */
+    int in_parts; /* of TR_SEE_ONE_MASK and TR_SEE_DITHER. 1: TR_PASS_SCENE comes in parts, so that hardly anything is
+                     drawn twice: see tr_begin_dynamic. The host clears before that, and draws no unit but pass.units */
 } tr_dynamic;
 
-#define TR_MAX_SEE_PASSES 16
+#define TR_MAX_SEE_PASSES 20
 
 typedef struct tr_see_pass {
     tr_pass_kind kind;
     tr_rule rule;        /* of passes that the host draws */
     uint32_t unit_count; /* that the host draws in it */
     const char *why;
-    uint32_t times; /* of TR_SEE_EXACT and the sequences: how often in a frame */
+    uint32_t times; /* how often in a frame: of TR_PASS_BEHIND, TR_SEE_EXACT and the sequences */
 } tr_see_pass;
 
 /* What runs, and why. */
@@ -704,6 +716,8 @@ typedef struct tr_see_plan {
        what is behind the first layers - 1, but before the farthest target that a pixel shows, may be left out of the picture.
        Targets farthest at their pixels are not; nor is the sum of targets' weights ever less than 1 - alpha_target. */
     uint32_t layers, layer_bound;
+    int in_parts;          /* whether the scene comes in parts */
+    const char *parts_why; /* why not, where it was asked for; else 0 */
 } tr_see_plan;
 
 /* Begins a frame; then tr_next_pass and tr_end as always: in each pass the host draws pass.units, with the program for
@@ -713,7 +727,14 @@ typedef struct tr_see_plan {
    state. Before it the state is what desc.state says of the end of a frame, but for our texture units and uniform buffer.
    Where no target may be hidden, or nothing that yields may lie before one, this is the only pass and no GL call is made.
    With TR_RULE_SEE_PLAIN the host's program is as it always was; tr_set_material puts the built-in one to use.
-   A host that draws instances in batches may draw more than pass.units: shaders know by the code what is not wanted.
+   With TR_SEE_ONE_MASK and TR_SEE_DITHER a host that draws instances in batches may draw more than pass.units: shaders know
+   by the code what is not wanted. With the other rungs it draws these alone, with the sequences in their order.
+   With dynamic.in_parts there may be up to four of TR_PASS_SCENE, each with units of its own that the others do not have,
+   and pass.rule tells the program. What never yields comes first, and its depth and colour are copied from the target in
+   between. So the target is cleared before tr_begin_dynamic, to the far depth; nothing else is drawn there before; the
+   depth range is 0 to 1; and polygons are not offset. The scene comes whole where the plan says so
+   (tr_see_plan.parts_why): with TR_STATE_NONE, into multisampled targets, targets without depth, of integers, or of
+   another encoding than TR_WISH_SRGB says.
    On an error no pass comes, TR_PASS_SCENE neither: the host draws its scene as it does without this header.
    TR_INVALID_ARGUMENT: matrices or numbers that are not finite, values out of range, an id out of range or of two
    targets; lights or units that are NULL; what the rung cannot do (see docs/dynamic.md). */
@@ -1653,7 +1674,11 @@ static const char *const tr_i_shader_see_finish_frag[] = {
     "// strength; and its depth. On the target as that was drawn, beside it from the mask's texels: their distances are\n"
     "// interpolated, their depths never.\n"
     "uniform highp sampler2D tr_see_depth; // of targets\n"
+    "#if TR_IN_PARTS\n"
+    "uniform highp sampler2D tr_see_bits; // which of eight pixels are a target's\n"
+    "#else\n"
     "uniform highp sampler2D tr_see_mark;\n"
+    "#endif\n"
     "#if TR_HAS_LOW\n"
     "uniform highp sampler2D tr_see_low; // distance, strength, active\n"
     "uniform highp sampler2D tr_see_low_depth;\n"
@@ -1695,7 +1720,12 @@ static const char *const tr_i_shader_see_finish_frag[] = {
     "void main()\n"
     "{\n"
     "    ivec2 pixel = ivec2(gl_FragCoord.xy);\n"
+    "#if TR_IN_PARTS\n"
+    "    int bits = int(texelFetch(tr_see_bits, ivec2(pixel.x >> 3, pixel.y), 0).r * 255.0 + 0.5);\n"
+    "    highp vec2 mark = vec2(float((bits >> (pixel.x & 7)) & 1), 0.0);\n"
+    "#else\n"
     "    highp vec2 mark = texelFetch(tr_see_mark, pixel, 0).ab;\n"
+    "#endif\n"
     "    highp float opacity = tr_see_law.x, depth;\n"
     "    if (mark.r > 0.0) {\n"
     "        depth = texelFetch(tr_see_depth, pixel, 0).r;\n"
@@ -1722,10 +1752,12 @@ static const char *const tr_i_shader_see_finish_frag[] = {
 static const char *const tr_i_shader_see_prime_frag[] = {
     "#line 1\n"
     "// For: transparency.h\n"
-    "// Opens the depth buffer where a mask is, and nowhere else: the depth test then stops all else before it is shaded. Where\n"
-    "// the target was drawn in colour, that is there already: only what is before it may cover it.\n"
+    "// Opens the depth buffer where a mask is, and nowhere else: the depth test then stops all else before it is shaded. What\n"
+    "// is there in colour already, the target or all that never yields, only what is before it may cover.\n"
     "uniform highp sampler2D tr_see_mask;\n"
-    "#if TR_HAS_COLOR\n"
+    "#if TR_IN_PARTS\n"
+    "uniform highp sampler2D tr_see_depth;  // of all that never yields\n"
+    "#elif TR_HAS_COLOR\n"
     "uniform highp sampler2D tr_see_depth;  // of the mask\n"
     "uniform highp sampler2D tr_see_behind; // in alpha the strength, 0 where there is no target\n"
     "#endif\n"
@@ -1739,7 +1771,9 @@ static const char *const tr_i_shader_see_prime_frag[] = {
     "        discard;\n"
     "    tr_color = vec4(tr_see_background.rgb, 1.0);\n"
     "    gl_FragDepth = TR_CLEAR_DEPTH;\n"
-    "#if TR_HAS_COLOR\n"
+    "#if TR_IN_PARTS\n"
+    "    gl_FragDepth = texelFetch(tr_see_depth, pixel, 0).r;\n"
+    "#elif TR_HAS_COLOR\n"
     "    if (texelFetch(tr_see_behind, pixel, 0).a > 0.0)\n"
     "        gl_FragDepth = texelFetch(tr_see_depth, pixel, 0).r;\n"
     "#endif\n"
@@ -1876,19 +1910,33 @@ static const char *const tr_i_shader_see_spread_frag[] = {
     "// at once, so that the next step reads them at once. TR_SPREAD 2: of the rows' the nearest, of equally near ones that\n"
     "// nearest to the eye. A texel stands for the middle of its pixels; twice the positions are integers. Steps go outward.\n"
     "uniform highp sampler2D tr_see_depth; // of targets\n"
+    "#if TR_IN_PARTS\n"
+    "uniform highp sampler2D tr_see_base;  // of all that never yields: the same where a target is open\n"
+    "#else\n"
     "uniform highp sampler2D tr_see_mark;  // of targets: in alpha the strength, 0 where there is none; in blue 1 where active\n"
+    "#endif\n"
     "#if TR_SPREAD != 0\n"
     "uniform highp sampler2D tr_see_rows; // the step before this one's\n"
     "#endif\n"
     "layout(location = 0) out highp vec4 tr_color;\n"
     "\n"
     "#if TR_SPREAD == 0\n"
+    "bool tr_is_target(ivec2 pixel)\n"
+    "{\n"
+    "#if TR_IN_PARTS\n"
+    "    highp float depth = texelFetch(tr_see_depth, pixel, 0).r;\n"
+    "    return depth != TR_CLEAR_DEPTH && depth == texelFetch(tr_see_base, pixel, 0).r;\n"
+    "#else\n"
+    "    return texelFetch(tr_see_mark, pixel, 0).a > 0.0;\n"
+    "#endif\n"
+    "}\n"
+    "\n"
     "void main()\n"
     "{\n"
     "    ivec2 first = ivec2(int(gl_FragCoord.x) * 8, int(gl_FragCoord.y));\n"
     "    int bits = 0, count = min(8, int(tr_viewport.z) - first.x);\n"
     "    for (int i = 0; i < count; ++i)\n"
-    "        bits |= texelFetch(tr_see_mark, first + ivec2(i, 0), 0).a > 0.0 ? 1 << i : 0;\n"
+    "        bits |= tr_is_target(first + ivec2(i, 0)) ? 1 << i : 0;\n"
     "    tr_color = vec4(float(bits) * (1.0 / 255.0));\n"
     "}\n"
     "#elif TR_SPREAD == 1\n"
@@ -1944,7 +1992,8 @@ static const char *const tr_i_shader_see_spread_frag[] = {
     "    ivec2 texel = ivec2(gl_FragCoord.xy), first = texel * tr_see_grid.x, nearest = ivec2(-1);\n"
     "    int divisor = tr_see_grid.x, steps = tr_see_grid.w + 2 * divisor, least = 4 * steps * steps;\n"
     "    int middle = first.y >> 2, last = (int(tr_viewport.w) - 1) >> 2;\n"
-    "    // Four rows at a time, outward: those i texels away are 4 * i - 3 and more pixels away, less the texel's own.\n"
+    "    // Four rows at a time, outward: those i texels away are 4 * i - 3 and more pixels away, less the texel's own.\n",
+    "#line 92\n"
     "    for (int i = 0; i == 0 || 4 * i - 3 - divisor <= 0 || (4 * i - 3 - divisor) * (4 * i - 3 - divisor) * 4 <= least; ++i) {\n"
     "        for (int side = 0; side < (i == 0 ? 1 : 2); ++side) {\n"
     "            int four = side == 0 ? middle - i : middle + i;\n"
@@ -1952,8 +2001,7 @@ static const char *const tr_i_shader_see_spread_frag[] = {
     "                continue;\n"
     "            ivec4 found = ivec4(texelFetch(tr_see_rows, ivec2(texel.x, four), 0) * 255.0 + 0.5);\n"
     "            if (found == ivec4(0))\n"
-    "                continue;\n",
-    "#line 86\n"
+    "                continue;\n"
     "            for (int k = 0; k < 4; ++k) {\n"
     "                if (found[k] == 0)\n"
     "                    continue;\n"
@@ -1972,7 +2020,11 @@ static const char *const tr_i_shader_see_spread_frag[] = {
     "    gl_FragDepth = TR_CLEAR_DEPTH;\n"
     "    if (nearest.x < 0)\n"
     "        return;\n"
+    "#if TR_IN_PARTS\n"
+    "    tr_color = vec4(0.5 * sqrt(float(least)) / float(steps), 1.0, 0.0, 0.0);\n"
+    "#else\n"
     "    tr_color = vec4(0.5 * sqrt(float(least)) / float(steps), texelFetch(tr_see_mark, nearest, 0).ab, 0.0);\n"
+    "#endif\n"
     "    gl_FragDepth = texelFetch(tr_see_depth, nearest, 0).r;\n"
     "}\n"
     "#endif\n",
@@ -3009,7 +3061,33 @@ static const char *const tr_i_shader_take_opaque_frag[] = {
 #define TR_I_GL_DEPTH_ATTACHMENT 0x8D00u
 #define TR_I_GL_DEPTH_CLAMP 0x864Fu
 #define TR_I_GL_DEPTH_COMPONENT 0x1902u
+#define TR_I_GL_DEPTH_COMPONENT16 0x81A5u
+#define TR_I_GL_DEPTH_COMPONENT24 0x81A6u
+#define TR_I_GL_DEPTH_COMPONENT32 0x81A7u
 #define TR_I_GL_DEPTH_COMPONENT32F 0x8CACu
+#define TR_I_GL_DEPTH24_STENCIL8 0x88F0u
+#define TR_I_GL_DEPTH32F_STENCIL8 0x8CADu
+#define TR_I_GL_DEPTH_STENCIL 0x84F9u
+#define TR_I_GL_UNSIGNED_INT_24_8 0x84FAu
+#define TR_I_GL_FLOAT_32_UNSIGNED_INT_24_8_REV 0x8DADu
+#define TR_I_GL_COLOR_BUFFER_BIT 0x4000u
+#define TR_I_GL_DEPTH_BUFFER_BIT 0x0100u
+#define TR_I_GL_STENCIL_BUFFER_BIT 0x0400u
+#define TR_I_GL_DRAW_BUFFER0 0x8825u
+#define TR_I_GL_READ_BUFFER 0x0C02u
+#define TR_I_GL_FRONT_LEFT 0x0400u
+#define TR_I_GL_BACK_LEFT 0x0402u
+#define TR_I_GL_STENCIL 0x1802u
+#define TR_I_GL_STENCIL_ATTACHMENT 0x8D20u
+#define TR_I_GL_DEPTH_STENCIL_ATTACHMENT 0x821Au
+#define TR_I_GL_ATTACHMENT_OBJECT_TYPE 0x8CD0u
+#define TR_I_GL_ATTACHMENT_OBJECT_NAME 0x8CD1u
+#define TR_I_GL_ATTACHMENT_COLOR_ENCODING 0x8210u
+#define TR_I_GL_ATTACHMENT_COMPONENT_TYPE 0x8211u
+#define TR_I_GL_ATTACHMENT_DEPTH_SIZE 0x8216u
+#define TR_I_GL_ATTACHMENT_STENCIL_SIZE 0x8217u
+#define TR_I_GL_INT 0x1404u
+#define TR_I_GL_SRGB 0x8C40u
 #define TR_I_GL_DEPTH_FUNC 0x0B74u
 #define TR_I_GL_DEPTH_RANGE 0x0B70u
 #define TR_I_GL_DEPTH_TEST 0x0B71u
@@ -3137,6 +3215,7 @@ typedef const char *const *tr_i_strings;
     X(void, BindVertexArray, (tr_i_u))                                                                                 \
     X(void, BlendEquationSeparate, (tr_i_u, tr_i_u))                                                                   \
     X(void, BlendFuncSeparate, (tr_i_u, tr_i_u, tr_i_u, tr_i_u))                                                       \
+    X(void, BlitFramebuffer, (int32_t, int32_t, int32_t, int32_t, int32_t, int32_t, int32_t, int32_t, tr_i_u, tr_i_u)) \
     X(void, BufferData, (tr_i_u, ptrdiff_t, const void *, tr_i_u))                                                     \
     X(void, BufferSubData, (tr_i_u, ptrdiff_t, ptrdiff_t, const void *))                                               \
     X(tr_i_u, CheckFramebufferStatus, (tr_i_u))                                                                        \
@@ -3167,6 +3246,7 @@ typedef const char *const *tr_i_strings;
     X(void, GenVertexArrays, (int32_t, tr_i_u *))                                                                      \
     X(void, GetBooleanv, (tr_i_u, unsigned char *))                                                                    \
     X(void, GetFloatv, (tr_i_u, float *))                                                                              \
+    X(void, GetFramebufferAttachmentParameteriv, (tr_i_u, tr_i_u, tr_i_u, int32_t *))                                  \
     X(void, GetInteger64i_v, (tr_i_u, tr_i_u, int64_t *))                                                              \
     X(void, GetIntegeri_v, (tr_i_u, tr_i_u, int32_t *))                                                                \
     X(void, GetIntegerv, (tr_i_u, int32_t *))                                                                          \
@@ -3328,6 +3408,8 @@ enum {
     TR_I_PROGRAM_COMPOSE_MASK,
     TR_I_PROGRAM_COMPOSE_YIELD,
     TR_I_PROGRAM_QUERY,
+    TR_I_PROGRAM_PARTS, /* the first six of these, for a scene in parts: targets are known by depth alone */
+    TR_I_PROGRAM_PRIME_PARTS = TR_I_PROGRAM_PARTS + TR_I_PROGRAM_PRIME - TR_I_PROGRAM_SEE,
     TR_I_PROGRAM_SEQUENCE, /* those from TR_I_SEQ_WIPE on */
     TR_I_PROGRAM_COUNT = TR_I_PROGRAM_SEQUENCE + TR_I_SEQ_PROGRAM_COUNT
 };
@@ -3380,6 +3462,9 @@ enum {
     TR_I_UNITS_BEHIND,  /* that may show through a mask */
     TR_I_UNITS_BEFORE,  /* distractors that may lie before a target */
     TR_I_UNITS_MASKED,  /* all in masks */
+    TR_I_UNITS_HOLED,   /* that may yield to a target */
+    TR_I_UNITS_REGION,  /* of those that may show through, what meets masks of one region */
+    TR_I_UNITS_REST,    /* of a scene in parts, what is in none of the others */
     TR_I_UNIT_LISTS
 };
 
@@ -3391,6 +3476,8 @@ typedef struct tr_i_place {
 
 #define TR_I_CELLS 128 /* along each side, at most */
 #define TR_I_MAX_TILES 2000
+#define TR_I_MAX_REGIONS 8
+#define TR_I_REGION_SAVES 64 /* a further one has to leave out this share of the viewport */
 
 /* The screen in cells: a target needs a mask where something that yields lies before it, and only units that meet masks
    are drawn again. Cells in place of rectangles of targets, so that the work does not grow with targets times units. */
@@ -3401,6 +3488,8 @@ typedef struct tr_i_grid {
     float farthest_target[TR_I_CELLS * TR_I_CELLS];  /* -infinite: no mask here */
     unsigned char tiles[TR_I_MAX_TILES][4];          /* of cells with masks: x0, y0, x1, y1 in cells */
     int tile_count, cell_count;
+    int regions[TR_I_MAX_REGIONS][4]; /* rectangles that hold all of them: x0, y0, x1, y1 in cells */
+    int region_count;
 } tr_i_grid;
 
 /* Numbers of a tr_dynamic with the defaults filled in. */
@@ -3411,17 +3500,19 @@ typedef struct tr_i_law {
 
 /* Textures and framebuffers of dynamic transparency; sizes follow from the viewport and the mask's divisor. */
 enum {
-    TR_I_SEE_DEPTH,      /* of blocks and targets; then of what shows through masks */
-    TR_I_SEE_MARK,       /* of the nearest target: id in two bytes, whether it is active, strength */
-    TR_I_SEE_BITS,       /* eight pixels a texel: which are a target's */
-    TR_I_SEE_ROWS,       /* of four rows of pixels a texel: where the nearest pixel of a target is in each */
-    TR_I_SEE_LOW,        /* the mask's texels: distance, strength, whether it is active */
-    TR_I_SEE_LOW_DEPTH,  /* their depth */
-    TR_I_SEE_MASK,       /* opacity before importance, strength */
-    TR_I_SEE_MASK_DEPTH, /* what lies before it yields */
-    TR_I_SEE_BEHIND,     /* colour of what shows through masks; where targets have theirs, first that, and strength */
-    TR_I_SEE_YIELD,      /* importance of the front-most unit */
-    TR_I_SEE_QUERY,      /* 4 by 4 pixels a texel: id in two bytes, whether something lies before it */
+    TR_I_SEE_DEPTH,        /* of blocks and targets; then of what shows through masks */
+    TR_I_SEE_MARK,         /* of the nearest target: id in two bytes, whether it is active, strength */
+    TR_I_SEE_BITS,         /* eight pixels a texel: which are a target's */
+    TR_I_SEE_ROWS,         /* of four rows of pixels a texel: where the nearest pixel of a target is in each */
+    TR_I_SEE_LOW,          /* the mask's texels: distance, strength, whether it is active */
+    TR_I_SEE_LOW_DEPTH,    /* their depth */
+    TR_I_SEE_MASK,         /* opacity before importance, strength */
+    TR_I_SEE_MASK_DEPTH,   /* what lies before it yields */
+    TR_I_SEE_BEHIND,       /* colour of what shows through masks; where targets have theirs, first that, and strength */
+    TR_I_SEE_YIELD,        /* importance of the front-most unit */
+    TR_I_SEE_QUERY,        /* 4 by 4 pixels a texel: id in two bytes, whether something lies before it */
+    TR_I_SEE_TARGET_DEPTH, /* copied from the host's target, in its format: of targets alone */
+    TR_I_SEE_BASE_DEPTH,   /* of all that never yields */
     TR_I_SEE_TEXTURE_COUNT
 };
 
@@ -3435,6 +3526,10 @@ enum {
     TR_I_SEE_FBO_YIELD,
     TR_I_SEE_FBO_QUERY,
     TR_I_SEE_FBO_PRIME,
+    TR_I_SEE_FBO_TAKE_TARGETS,
+    TR_I_SEE_FBO_TAKE_BASE,
+    TR_I_SEE_FBO_TAKE_COLOR,
+    TR_I_SEE_FBO_MARKS,
     TR_I_SEE_FBO_COUNT
 };
 
@@ -3466,7 +3561,10 @@ typedef struct tr_i_see {
     int active;  /* this frame is of tr_begin_dynamic */
     int partial; /* some importance of an occluder is neither 0 nor 1 */
     int colored; /* the pass of targets takes their colour, so that they are not drawn again */
-    int step;
+    int marked;  /* of a scene in parts: targets are drawn once more for what depth does not tell of them */
+    unsigned char units_of[TR_MAX_SEE_PASSES]; /* of passes of the scene and copies: which list */
+    int host_depth, held_depth;                /* formats of the target, and of the textures held: tr_i_depths */
+    int step, region;
     int entered; /* whose state it is: TR_I_OUTSIDE, ... */
     tr_i_law law;
     tr_see_plan plan;
@@ -3700,20 +3798,20 @@ TR_I_API const char *tr_result_string(tr_result result) {
 }
 
 TR_I_API const char *tr_pass_kind_name(tr_pass_kind kind) {
-    static const char *const names[] = {"front",        "peel",          "layer",
-                                        "limit",        "opaque",        "copy depth",
-                                        "opaque lines", "compose",       "transparent lines",
-                                        "hidden lines", "outer lines",   "take opaque",
-                                        "block",        "targets",       "bits",
-                                        "spread x",     "spread y",      "finish",
-                                        "prime",        "scene",         "behind",
-                                        "yield",        "compose mask",  "query",
-                                        "hides",        "wipe",          "seeds",
-                                        "rows",         "nearest",       "extents",
-                                        "forms",        "masks",         "paint depth",
-                                        "paint",        "count",         "paint over",
-                                        "reach",        "peel units",    "keep",
-                                        "share",        "compose layers"};
+    static const char *const names[] = {"front",        "peel",           "layer",
+                                        "limit",        "opaque",         "copy depth",
+                                        "opaque lines", "compose",        "transparent lines",
+                                        "hidden lines", "outer lines",    "take opaque",
+                                        "block",        "targets",        "bits",
+                                        "spread x",     "spread y",       "finish",
+                                        "prime",        "scene",          "behind",
+                                        "yield",        "compose mask",   "query",
+                                        "hides",        "wipe",           "seeds",
+                                        "rows",         "nearest",        "extents",
+                                        "forms",        "masks",          "paint depth",
+                                        "paint",        "count",          "paint over",
+                                        "reach",        "peel units",     "keep",
+                                        "share",        "compose layers", "take"};
     return (unsigned)kind < (unsigned)TR_PASS_KIND_COUNT ? names[kind] : "unknown pass";
 }
 
@@ -4422,12 +4520,98 @@ static int tr_i_make_tiles(tr_i_grid *grid) {
     return 1;
 }
 
+static int tr_i_cell_is_open(const tr_i_grid *grid, int x, int y) {
+    return grid->farthest_target[y * TR_I_CELLS + x] > -tr_i_infinite();
+}
+
+/* A rectangle without its outer lines that have no masks; 0: nothing is left. */
+static int tr_i_shrink_region(const tr_i_grid *grid, int box[4]) {
+    int out[4] = {TR_I_CELLS, TR_I_CELLS, 0, 0}, x, y;
+    for (y = box[1]; y < box[3]; ++y)
+        for (x = box[0]; x < box[2]; ++x)
+            if (tr_i_cell_is_open(grid, x, y)) {
+                out[0] = x < out[0] ? x : out[0];
+                out[1] = y < out[1] ? y : out[1];
+                out[2] = x + 1 > out[2] ? x + 1 : out[2];
+                out[3] = y + 1 > out[3] ? y + 1 : out[3];
+            }
+    memcpy(box, out, sizeof out);
+    return out[2] > 0;
+}
+
+/* What the open cells of the lines from one end of a rectangle (step 1) or the other (-1) span, for each number of lines:
+   areas[line] is of those up to and with it. */
+static void tr_i_sweep_region(const tr_i_grid *grid, const int box[4], int axis, int step, int *areas) {
+    int first = step > 0 ? box[axis] : box[axis + 2] - 1, end = step > 0 ? box[axis + 2] : box[axis] - 1, line, at;
+    int low = TR_I_CELLS, high = 0, from = -1, area = 0;
+    for (line = first; line != end; line += step) {
+        int open = 0;
+        for (at = box[1 - axis]; at < box[3 - axis]; ++at)
+            if (tr_i_cell_is_open(grid, axis ? at : line, axis ? line : at)) {
+                low = at < low ? at : low;
+                high = at + 1 > high ? at + 1 : high;
+                open = 1;
+            }
+        from = open && from < 0 ? line : from;
+        area = open ? ((line - from) * step + 1) * (high - low) : area;
+        areas[line] = area;
+    }
+}
+
+/* Cuts a region in two where that leaves out the most cells; returns how many, 0 where there is no such place. */
+static int tr_i_cut_region(const tr_i_grid *grid, const int box[4], int parts[2][4]) {
+    int before[TR_I_CELLS], after[TR_I_CELLS], axis, line, most = 0, whole = (box[2] - box[0]) * (box[3] - box[1]);
+    for (axis = 0; axis < 2; ++axis) {
+        tr_i_sweep_region(grid, box, axis, 1, before);
+        tr_i_sweep_region(grid, box, axis, -1, after);
+        for (line = box[axis] + 1; line < box[axis + 2]; ++line) {
+            int saved = whole - before[line - 1] - after[line];
+            if (saved <= most)
+                continue;
+            most = saved;
+            memcpy(parts[0], box, sizeof parts[0]);
+            memcpy(parts[1], box, sizeof parts[1]);
+            parts[0][axis + 2] = parts[1][axis] = line;
+        }
+    }
+    return most;
+}
+
+/* Few rectangles that hold all masks. What shows through is drawn in each by itself: triangles outside of it are thrown
+   away before they are set up, which tiles cannot do for a host's draws. */
+static void tr_i_make_regions(tr_i_grid *grid) {
+    int saved[TR_I_MAX_REGIONS], cuts[TR_I_MAX_REGIONS][2][4], i;
+    int worth = grid->columns * grid->rows / TR_I_REGION_SAVES;
+    grid->regions[0][0] = grid->regions[0][1] = 0;
+    grid->regions[0][2] = grid->columns;
+    grid->regions[0][3] = grid->rows;
+    grid->region_count = tr_i_shrink_region(grid, grid->regions[0]);
+    saved[0] = tr_i_cut_region(grid, grid->regions[0], cuts[0]);
+    while (grid->region_count > 0 && grid->region_count < TR_I_MAX_REGIONS) {
+        int best = 0, last = grid->region_count;
+        for (i = 1; i < last; ++i)
+            best = saved[i] > saved[best] ? i : best;
+        if (saved[best] <= worth)
+            return;
+        memcpy(grid->regions[last], cuts[best][1], sizeof grid->regions[last]);
+        memcpy(grid->regions[best], cuts[best][0], sizeof grid->regions[best]);
+        tr_i_shrink_region(grid, grid->regions[last]);
+        tr_i_shrink_region(grid, grid->regions[best]);
+        saved[last] = tr_i_cut_region(grid, grid->regions[last], cuts[last]);
+        saved[best] = tr_i_cut_region(grid, grid->regions[best], cuts[best]);
+        ++grid->region_count;
+    }
+}
+
 static tr_i_law tr_i_law_of(const tr_dynamic *dynamic) {
     tr_i_law law;
     law.target = dynamic->alpha_target == 0.0f ? 0.3f : tr_i_clamp01(dynamic->alpha_target);
     law.start = dynamic->alpha_start == 0.0f ? 0.1f : tr_i_clamp01(dynamic->alpha_start);
     law.width = dynamic->width == 0.0f ? 12.0f : dynamic->width > 0.0f ? dynamic->width : 0.0f;
-    law.divisor = dynamic->mask_divisor ? dynamic->mask_divisor : dynamic->see == TR_SEE_EXACT ? 1 : 2;
+    law.divisor = dynamic->mask_divisor                                              ? dynamic->mask_divisor
+                  : dynamic->see == TR_SEE_ONE_MASK || dynamic->see == TR_SEE_DITHER ? 4
+                  : dynamic->see == TR_SEE_EXACT                                     ? 1
+                                                                                     : 2;
     law.reach = law.width > 0.0f ? (int)ceil((double)law.width) + 1 : 0;
     return law;
 }
@@ -4517,28 +4701,117 @@ static void tr_i_find_masks(tr_i_see *see, const tr_dynamic *dynamic) {
 static void tr_i_list_units(tr_i_see *see, const tr_dynamic *dynamic) {
     const tr_i_grid *grid = &see->grid;
     size_t i, next = 0;
-    int cells[4];
+    int cells[4], dither = dynamic->see == TR_SEE_DITHER;
     for (i = 0; i < dynamic->unit_count; ++i) {
         tr_unit unit = tr_i_unit_at(dynamic, i);
         const tr_i_place *place = &see->places[i];
-        int yields = tr_i_yields(&unit);
+        int yields = tr_i_yields(&unit), block = (unit.flags & (TR_UNIT_IMPENETRABLE | TR_UNIT_BACKDROP)) != 0;
+        int target = next < see->counts[TR_I_UNITS_TARGETS] && see->lists[TR_I_UNITS_TARGETS][next] == i, before;
         float importance = unit.flags & TR_I_KEPT ? 0.0f : tr_i_importance_of(&unit);
+        next += (size_t)target;
         tr_i_cells_of(grid, place, 0, cells);
-        if (place->x1 == 0 || !tr_i_any_cell(grid->nearest_target, cells, 3.0e38f, 1.0f))
+        if (place->x1 == 0 || !tr_i_any_cell(grid->nearest_target, cells, 3.0e38f, 1.0f)) {
+            tr_i_list(see, TR_I_UNITS_REST, i);
             continue;
+        }
         tr_i_list(see, TR_I_UNITS_MASKED, i);
-        if (unit.flags & (TR_UNIT_IMPENETRABLE | TR_UNIT_BACKDROP))
+        if (block)
             tr_i_list(see, TR_I_UNITS_BLOCK, i);
-        if (!(unit.flags & TR_I_KEPT) && tr_i_any_cell(grid->farthest_target, cells, place->first, -1.0f)) {
+        before = !(unit.flags & TR_I_KEPT) && tr_i_any_cell(grid->farthest_target, cells, place->first, -1.0f);
+        if (before) {
             tr_i_list(see, TR_I_UNITS_BEFORE, i);
             see->partial |= yields && importance > 0.0f;
         }
-        /* What lies before all masks that it meets would be discarded to the last fragment. */
-        if (see->colored && next < see->counts[TR_I_UNITS_TARGETS] && see->lists[TR_I_UNITS_TARGETS][next] == i)
-            ++next; /* is there already */
-        else if (!yields || importance > 0.0f || tr_i_any_cell(grid->nearest_target, cells, place->last, 1.0f))
+        if (!target && !block)
+            tr_i_list(see, dither && before && yields ? TR_I_UNITS_HOLED : TR_I_UNITS_REST, i);
+        /* What is there already; and what lies before all masks that it meets would be discarded to the last fragment. */
+        if (!(target && (see->colored || see->plan.in_parts)) && !(block && see->plan.in_parts) &&
+            (!yields || importance > 0.0f || tr_i_any_cell(grid->nearest_target, cells, place->last, 1.0f)))
             tr_i_list(see, TR_I_UNITS_BEHIND, i);
     }
+}
+
+/* Depth formats of targets, by what their framebuffers tell: copies need the very same. */
+static const struct tr_i_depth {
+    tr_i_u internal, format, type, bytes;
+    int32_t bits, stencil, floats;
+} tr_i_depths[] = {
+    {TR_I_GL_DEPTH_COMPONENT16, TR_I_GL_DEPTH_COMPONENT, TR_I_GL_UNSIGNED_SHORT, 2, 16, 0, 0},
+    {TR_I_GL_DEPTH_COMPONENT24, TR_I_GL_DEPTH_COMPONENT, TR_I_GL_UNSIGNED_INT, 4, 24, 0, 0},
+    {TR_I_GL_DEPTH24_STENCIL8, TR_I_GL_DEPTH_STENCIL, TR_I_GL_UNSIGNED_INT_24_8, 4, 24, 8, 0},
+    {TR_I_GL_DEPTH_COMPONENT32, TR_I_GL_DEPTH_COMPONENT, TR_I_GL_UNSIGNED_INT, 4, 32, 0, 0},
+    {TR_I_GL_DEPTH_COMPONENT32F, TR_I_GL_DEPTH_COMPONENT, TR_I_GL_FLOAT, 4, 32, 0, 1},
+    {TR_I_GL_DEPTH32F_STENCIL8, TR_I_GL_DEPTH_STENCIL, TR_I_GL_FLOAT_32_UNSIGNED_INT_24_8_REV, 8, 32, 8, 1}};
+#define TR_I_DEPTHS ((int)(sizeof tr_i_depths / sizeof tr_i_depths[0]))
+
+static int32_t tr_i_of_attachment(const tr_context *tr, tr_i_u attachment, tr_i_u what) {
+    int32_t value = 0;
+    tr->gl.GetFramebufferAttachmentParameteriv(TR_I_GL_DRAW_FRAMEBUFFER, attachment, what, &value);
+    return value;
+}
+
+/* Of the framebuffer that is bound; -1: none of those that we know. Depth and stencil of two textures are not one format. */
+static int tr_i_find_depth(const tr_context *tr) {
+    tr_i_u depth = tr->frame.framebuffer ? TR_I_GL_DEPTH_ATTACHMENT : TR_I_GL_DEPTH;
+    tr_i_u stencil = tr->frame.framebuffer ? TR_I_GL_STENCIL_ATTACHMENT : TR_I_GL_STENCIL;
+    int32_t bits, stencils = 0, floats;
+    int i;
+    if (tr_i_of_attachment(tr, depth, TR_I_GL_ATTACHMENT_OBJECT_TYPE) == 0)
+        return -1;
+    bits = tr_i_of_attachment(tr, depth, TR_I_GL_ATTACHMENT_DEPTH_SIZE);
+    floats = tr_i_of_attachment(tr, depth, TR_I_GL_ATTACHMENT_COMPONENT_TYPE) == (int32_t)TR_I_GL_FLOAT;
+    if (tr_i_of_attachment(tr, stencil, TR_I_GL_ATTACHMENT_OBJECT_TYPE) != 0 &&
+        (!tr->frame.framebuffer || tr_i_of_attachment(tr, stencil, TR_I_GL_ATTACHMENT_OBJECT_NAME) ==
+                                       tr_i_of_attachment(tr, depth, TR_I_GL_ATTACHMENT_OBJECT_NAME)))
+        stencils = tr_i_of_attachment(tr, stencil, TR_I_GL_ATTACHMENT_STENCIL_SIZE);
+    for (i = 0; i < TR_I_DEPTHS; ++i)
+        if (tr_i_depths[i].bits == bits && tr_i_depths[i].stencil == stencils && tr_i_depths[i].floats == floats)
+            return i;
+    return -1;
+}
+
+/* Whether colours of the framebuffer that is bound can be copied as they are; TR_WISH_SRGB says how ours are kept. */
+static int tr_i_can_take_color(const tr_context *tr) {
+    int32_t buffer = 0, type, wished = (tr->frame.wishes.options & TR_WISH_SRGB) != 0;
+    tr_i_u attachment;
+    tr->gl.GetIntegerv(TR_I_GL_DRAW_BUFFER0, &buffer);
+    attachment = (tr_i_u)buffer;
+    if (!tr->frame.framebuffer && !tr->es) /* of two eyes the left one */
+        attachment = attachment == TR_I_GL_BACK    ? TR_I_GL_BACK_LEFT
+                     : attachment == TR_I_GL_FRONT ? TR_I_GL_FRONT_LEFT
+                                                   : attachment;
+    if (buffer == 0 || tr_i_of_attachment(tr, attachment, TR_I_GL_ATTACHMENT_OBJECT_TYPE) == 0)
+        return 0;
+    type = tr_i_of_attachment(tr, attachment, TR_I_GL_ATTACHMENT_COMPONENT_TYPE);
+    return type != (int32_t)TR_I_GL_INT && type != (int32_t)TR_I_GL_UNSIGNED_INT &&
+           wished == (tr_i_of_attachment(tr, attachment, TR_I_GL_ATTACHMENT_COLOR_ENCODING) == (int32_t)TR_I_GL_SRGB);
+}
+
+/* Why the scene cannot come in parts; 0: it can. Asks of the target what a copy has to know. */
+static const char *tr_i_why_whole(tr_context *tr, const tr_dynamic *dynamic) {
+    const char *why = 0;
+    int32_t bound = 0, found = 0, samples = 0;
+    if (dynamic->see != TR_SEE_ONE_MASK && dynamic->see != TR_SEE_DITHER)
+        return "this rung draws each unit in its turn";
+    if (tr->desc.state == TR_STATE_NONE)
+        return "TR_STATE_NONE: a copy is none of the host's draws";
+    if (tr->see.marked &&
+        (tr->frame.x != 0 || tr->frame.y != 0)) /* depths of the same triangles would be rounded apart */
+        return "lights, fading, importances or queries, and a viewport that is not at the target's corner";
+    tr->gl.GetIntegerv(TR_I_GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+    tr->gl.BindFramebuffer(TR_I_GL_DRAW_FRAMEBUFFER, tr->frame.framebuffer);
+    tr->gl.GetIntegerv(TR_I_GL_DRAW_FRAMEBUFFER_BINDING, &found);
+    tr->gl.GetIntegerv(TR_I_GL_SAMPLES, &samples);
+    if ((tr_i_u)found != tr->frame.framebuffer)
+        why = "the target is none";
+    else if (samples > 0)
+        why = "the target is multisampled";
+    else if ((tr->see.host_depth = tr_i_find_depth(tr)) < 0)
+        why = "the target's depth has no format that can be copied";
+    else if (dynamic->see == TR_SEE_ONE_MASK && !tr_i_can_take_color(tr))
+        why = "the target's colours are integers, or encoded otherwise than TR_WISH_SRGB says";
+    tr->gl.BindFramebuffer(TR_I_GL_DRAW_FRAMEBUFFER, (tr_i_u)bound);
+    return why;
 }
 
 static tr_see_pass *tr_i_add_see_pass(tr_see_plan *plan, tr_pass_kind kind, tr_rule rule, size_t units,
@@ -4548,6 +4821,7 @@ static tr_see_pass *tr_i_add_see_pass(tr_see_plan *plan, tr_pass_kind kind, tr_r
     pass->rule = rule;
     pass->unit_count = (uint32_t)units;
     pass->why = why;
+    pass->times = 0;
     return pass;
 }
 
@@ -4558,17 +4832,41 @@ static void tr_i_plan_plain(tr_i_see *see, const char *why) {
     tr_i_add_see_pass(&see->plan, TR_PASS_SCENE, TR_RULE_SEE_PLAIN, see->counts[TR_I_UNITS_ALL], why);
 }
 
+/* A part of the scene, or a copy of it: nothing where no unit is in the list. */
+static void tr_i_add_part(tr_i_see *see, tr_pass_kind kind, tr_rule rule, int list, const char *why) {
+    if (see->counts[list] == 0)
+        return;
+    see->units_of[see->plan.pass_count] = (unsigned char)list;
+    tr_i_add_see_pass(&see->plan, kind, rule, kind == TR_PASS_SCENE ? see->counts[list] : 0, why);
+}
+
+/* Targets by themselves, then with what closes masks: where both depths are the same a target is open. */
+static void tr_i_plan_base(tr_i_see *see) {
+    int block = see->counts[TR_I_UNITS_BLOCK] != 0;
+    tr_i_add_part(see, TR_PASS_SCENE, TR_RULE_SEE_PLAIN, TR_I_UNITS_TARGETS, "targets, as ever");
+    if (block && !see->marked)
+        tr_i_add_part(see, TR_PASS_TAKE, TR_RULE_SEE_PLAIN, TR_I_UNITS_TARGETS, "their depth");
+    tr_i_add_part(see, TR_PASS_SCENE, TR_RULE_SEE_PLAIN, TR_I_UNITS_BLOCK, "what closes masks, as ever");
+    tr_i_add_part(see, TR_PASS_TAKE, TR_RULE_SEE_PLAIN, block ? TR_I_UNITS_BLOCK : TR_I_UNITS_TARGETS,
+                  "depth of what never yields");
+    if (see->plan.see == TR_SEE_ONE_MASK)
+        tr_i_add_part(see, TR_PASS_TAKE, TR_RULE_SEE_PLAIN, TR_I_UNITS_ALL, "its colour");
+}
+
 /* One mask for all targets, with depth. */
 static void tr_i_plan_masks(tr_i_see *see, const tr_dynamic *dynamic) {
     tr_see_plan *plan = &see->plan;
     const size_t *counts = see->counts;
-    if (counts[TR_I_UNITS_BLOCK])
+    if (counts[TR_I_UNITS_BLOCK] && !plan->in_parts)
         tr_i_add_see_pass(plan, TR_PASS_BLOCK, TR_RULE_SEE_BLOCK, counts[TR_I_UNITS_BLOCK],
                           "what closes masks, so that targets behind it open none");
-    tr_i_add_see_pass(plan, TR_PASS_TARGETS, TR_RULE_SEE_TARGET, counts[TR_I_UNITS_TARGETS],
-                      "the nearest target at each pixel");
-    if (see->law.reach) {
+    if (!plan->in_parts || see->marked)
+        tr_i_add_see_pass(plan, TR_PASS_TARGETS, TR_RULE_SEE_TARGET, counts[TR_I_UNITS_TARGETS],
+                          plan->in_parts ? "lights, fading, importances or queries: which target"
+                                         : "the nearest target at each pixel");
+    if (see->law.reach || (plan->in_parts && !see->marked))
         tr_i_add_see_pass(plan, TR_PASS_BITS, TR_RULE_SEE_PLAIN, 0, "pixels of targets, eight a texel");
+    if (see->law.reach) {
         tr_i_add_see_pass(plan, TR_PASS_SPREAD_X, TR_RULE_SEE_PLAIN, 0, "the nearest pixel of a target in each row");
         tr_i_add_see_pass(plan, TR_PASS_SPREAD_Y, TR_RULE_SEE_PLAIN, 0, "of these the nearest: distance and depth");
     }
@@ -4584,11 +4882,21 @@ static void tr_i_plan_masks(tr_i_see *see, const tr_dynamic *dynamic) {
 static void tr_i_plan_one_mask(tr_i_see *see, const tr_dynamic *dynamic) {
     tr_see_plan *plan = &see->plan;
     /* First, so that the host's state is as it was and needs no second snapshot. */
-    tr_i_add_see_pass(plan, TR_PASS_SCENE, TR_RULE_SEE_PLAIN, see->counts[TR_I_UNITS_ALL], "the whole scene, as ever");
+    if (plan->in_parts) {
+        tr_i_plan_base(see);
+        tr_i_add_part(see, TR_PASS_SCENE, TR_RULE_SEE_PLAIN, TR_I_UNITS_REST, "all else, as ever");
+    } else {
+        tr_i_add_see_pass(plan, TR_PASS_SCENE, TR_RULE_SEE_PLAIN, see->counts[TR_I_UNITS_ALL],
+                          "the whole scene, as ever");
+    }
     tr_i_plan_masks(see, dynamic);
-    tr_i_add_see_pass(plan, TR_PASS_PRIME, TR_RULE_SEE_PLAIN, 0, "so that nothing is shaded outside of masks");
-    tr_i_add_see_pass(plan, TR_PASS_BEHIND, TR_RULE_SEE_BEHIND, see->counts[TR_I_UNITS_BEHIND],
-                      "what shows through masks");
+    if (see->counts[TR_I_UNITS_BEHIND] || !plan->in_parts) { /* else what was copied is all there is */
+        tr_i_make_regions(&see->grid);
+        tr_i_add_see_pass(plan, TR_PASS_PRIME, TR_RULE_SEE_PLAIN, 0, "so that nothing is shaded outside of masks");
+        tr_i_add_see_pass(plan, TR_PASS_BEHIND, TR_RULE_SEE_BEHIND, see->counts[TR_I_UNITS_BEHIND],
+                          "what shows through masks")
+            ->times = (uint32_t)see->grid.region_count;
+    }
     if (see->partial) {
         tr_i_add_see_pass(plan, TR_PASS_PRIME, TR_RULE_SEE_PLAIN, 0, "once more");
         tr_i_add_see_pass(plan, TR_PASS_YIELD, TR_RULE_SEE_YIELD, see->counts[TR_I_UNITS_MASKED],
@@ -4598,6 +4906,13 @@ static void tr_i_plan_one_mask(tr_i_see *see, const tr_dynamic *dynamic) {
 }
 
 static void tr_i_plan_dither(tr_i_see *see, const tr_dynamic *dynamic) {
+    if (see->plan.in_parts) {
+        tr_i_plan_base(see);
+        tr_i_add_part(see, TR_PASS_SCENE, TR_RULE_SEE_PLAIN, TR_I_UNITS_REST, "what lies before no target, as ever");
+        tr_i_plan_masks(see, dynamic);
+        tr_i_add_part(see, TR_PASS_SCENE, TR_RULE_SEE_DITHER, TR_I_UNITS_HOLED, "all else, with holes before targets");
+        return;
+    }
     tr_i_plan_masks(see, dynamic);
     tr_i_add_see_pass(&see->plan, TR_PASS_SCENE, TR_RULE_SEE_DITHER, see->counts[TR_I_UNITS_ALL],
                       "the whole scene, with holes before targets");
@@ -4654,15 +4969,38 @@ static void tr_i_find_units(tr_i_see *see, const tr_dynamic *dynamic, int width,
     } while (!tr_i_make_tiles(&see->grid));
     for (see->counts[TR_I_UNITS_ALL] = 0; see->counts[TR_I_UNITS_ALL] < dynamic->unit_count;)
         tr_i_list(see, TR_I_UNITS_ALL, see->counts[TR_I_UNITS_ALL]);
-    if (see->counts[TR_I_UNITS_TARGETS])
-        tr_i_list_units(see, dynamic);
 }
 
-static void tr_i_plan_see(tr_i_see *see, const tr_dynamic *dynamic, int width, int height) {
+/* Whether all that is to be known of targets is where they are: lights, queries and what yields in part ask for more. */
+static int tr_i_is_marked(const tr_i_see *see, const tr_dynamic *dynamic) {
+    size_t i;
+    for (i = 0; i < see->counts[TR_I_UNITS_TARGETS]; ++i) {
+        tr_unit unit = tr_i_unit_at(dynamic, see->lists[TR_I_UNITS_TARGETS][i]);
+        if (tr_unit_code(&unit) >> 24 != 255u || (unit.flags & TR_UNIT_ACTIVE))
+            return 1;
+    }
+    return dynamic->query != 0;
+}
+
+/* Whether the scene comes in parts, which asks GL of the target. */
+static void tr_i_plan_whole(tr_context *tr, const tr_dynamic *dynamic) {
+    tr_i_see *see = &tr->see;
+    if (!dynamic->in_parts || dynamic->see == TR_SEE_OFF || see->counts[TR_I_UNITS_TARGETS] == 0)
+        return;
+    see->marked = tr_i_is_marked(see, dynamic);
+    see->plan.parts_why = tr_i_why_whole(tr, dynamic);
+    see->plan.in_parts = see->plan.parts_why == 0;
+    see->marked = see->marked && see->plan.in_parts;
+    see->colored = see->colored && !see->plan.in_parts;
+}
+
+static void tr_i_plan_see(tr_context *tr, const tr_dynamic *dynamic, int width, int height) {
+    tr_i_see *see = &tr->see;
     see->law = tr_i_law_of(dynamic);
-    see->partial = 0;
+    see->partial = see->marked = 0;
     /* Lights and queries ask for more of a target than fits beside its colour. */
     see->colored = dynamic->see == TR_SEE_ONE_MASK && dynamic->light_count == 0 && !dynamic->query;
+    memset(see->units_of, TR_I_UNITS_ALL, sizeof see->units_of);
     memset(&see->plan, 0, sizeof see->plan);
     if (width == 0 || height == 0) {
         see->plan.see = TR_SEE_OFF;
@@ -4670,6 +5008,9 @@ static void tr_i_plan_see(tr_i_see *see, const tr_dynamic *dynamic, int width, i
         return;
     }
     tr_i_find_units(see, dynamic, width, height);
+    tr_i_plan_whole(tr, dynamic);
+    if (see->counts[TR_I_UNITS_TARGETS])
+        tr_i_list_units(see, dynamic);
     see->plan.masks = (uint32_t)see->counts[TR_I_UNITS_TARGETS];
     if (dynamic->see == TR_SEE_OFF) {
         tr_i_plan_plain(see, "asked for");
@@ -4705,6 +5046,11 @@ TR_I_API size_t tr_see_plan_print(const tr_see_plan *plan, char *string, size_t 
     tr_i_put(&text, " tiles, ");
     tr_i_put_number(&text, (uint64_t)(plan->covered * 100.0f + 0.5f));
     tr_i_put(&text, " % of the viewport\n");
+    if (plan->parts_why) {
+        tr_i_put(&text, "not in parts: ");
+        tr_i_put(&text, plan->parts_why);
+        tr_i_put(&text, "\n");
+    }
     for (i = 0; i < plan->pass_count; ++i) {
         const tr_see_pass *pass = &plan->passes[i];
         tr_i_put_number(&text, (uint64_t)i + 1);
@@ -6023,9 +6369,9 @@ static void tr_i_outline_source(tr_i_source *source, tr_stage stage, int variant
 
 /* Full-screen passes of dynamic transparency. */
 static void tr_i_see_source(tr_i_source *source, tr_stage stage, int program) {
-    int bits = program == TR_I_PROGRAM_BITS, rows = program == TR_I_PROGRAM_SPREAD_X;
-    int low = program == TR_I_PROGRAM_SPREAD_Y;
-    int prime = program == TR_I_PROGRAM_PRIME || program == TR_I_PROGRAM_PRIME_COLOR;
+    int parts = program >= TR_I_PROGRAM_PARTS, like = parts ? program - TR_I_PROGRAM_PARTS + TR_I_PROGRAM_SEE : program;
+    int bits = like == TR_I_PROGRAM_BITS, rows = like == TR_I_PROGRAM_SPREAD_X, low = like == TR_I_PROGRAM_SPREAD_Y;
+    int prime = like == TR_I_PROGRAM_PRIME || like == TR_I_PROGRAM_PRIME_COLOR;
     tr_i_add_chunks(source, tr_i_shader_see_block_glsl);
     if (stage == TR_VERTEX) {
         tr_i_add(source, bits          ? "#define TR_COARSE_X 2\n"
@@ -6037,15 +6383,16 @@ static void tr_i_see_source(tr_i_source *source, tr_stage stage, int program) {
         tr_i_add_chunks(source, tr_i_shader_see_tile_vert);
         return;
     }
+    tr_i_add(source, parts ? "#define TR_IN_PARTS 1\n" : "#define TR_IN_PARTS 0\n");
     tr_i_add(source, low ? "#define TR_SPREAD 2\n" : rows ? "#define TR_SPREAD 1\n" : "#define TR_SPREAD 0\n");
-    tr_i_add(source, program == TR_I_PROGRAM_FINISH ? "#define TR_HAS_LOW 1\n" : "#define TR_HAS_LOW 0\n");
-    tr_i_add(source, program == TR_I_PROGRAM_COMPOSE_YIELD ? "#define TR_HAS_YIELD 1\n" : "#define TR_HAS_YIELD 0\n");
-    tr_i_add(source, program == TR_I_PROGRAM_PRIME_COLOR ? "#define TR_HAS_COLOR 1\n" : "#define TR_HAS_COLOR 0\n");
-    tr_i_add_chunks(source, bits || rows || low                    ? tr_i_shader_see_spread_frag
-                            : prime                                ? tr_i_shader_see_prime_frag
-                            : program == TR_I_PROGRAM_QUERY        ? tr_i_shader_see_query_frag
-                            : program >= TR_I_PROGRAM_COMPOSE_MASK ? tr_i_shader_see_compose_frag
-                                                                   : tr_i_shader_see_finish_frag);
+    tr_i_add(source, like == TR_I_PROGRAM_FINISH ? "#define TR_HAS_LOW 1\n" : "#define TR_HAS_LOW 0\n");
+    tr_i_add(source, like == TR_I_PROGRAM_COMPOSE_YIELD ? "#define TR_HAS_YIELD 1\n" : "#define TR_HAS_YIELD 0\n");
+    tr_i_add(source, like == TR_I_PROGRAM_PRIME_COLOR ? "#define TR_HAS_COLOR 1\n" : "#define TR_HAS_COLOR 0\n");
+    tr_i_add_chunks(source, bits || rows || low                 ? tr_i_shader_see_spread_frag
+                            : prime                             ? tr_i_shader_see_prime_frag
+                            : like == TR_I_PROGRAM_QUERY        ? tr_i_shader_see_query_frag
+                            : like >= TR_I_PROGRAM_COMPOSE_MASK ? tr_i_shader_see_compose_frag
+                                                                : tr_i_shader_see_finish_frag);
 }
 
 /* After the strings of tr_i_host_source, which hold the law itself for the vertex stage. */
@@ -6186,10 +6533,11 @@ static void tr_i_wire_program(tr_context *tr, tr_i_u program) {
     static const char *const others[] = {"tr_edge_segments", "tr_edge_lists", "tr_outlines",   "tr_ids",
                                          "tr_nearest",       "tr_see_depth",  "tr_see_mark",   "tr_see_mask",
                                          "tr_see_rows",      "tr_see_low",    "tr_see_behind", "tr_see_low_depth",
-                                         "tr_see_yield"};
-    static const int units[] = {TR_TEXTURE_UNITS, TR_TEXTURE_UNITS + 1, TR_TEXTURE_UNITS,  TR_I_OPAQUE_COLOR, TR_I_MARK,
-                                TR_I_SCENE_DEPTH, TR_I_OPAQUE_COLOR,    TR_I_OPAQUE_COLOR, TR_I_MARK,         TR_I_MARK,
-                                TR_I_MARK,        TR_I_CROSSINGS,       TR_I_CROSSINGS};
+                                         "tr_see_yield",     "tr_see_base",   "tr_see_bits"};
+    static const int units[] = {
+        TR_TEXTURE_UNITS, TR_TEXTURE_UNITS + 1, TR_TEXTURE_UNITS,  TR_I_OPAQUE_COLOR, TR_I_MARK,
+        TR_I_SCENE_DEPTH, TR_I_OPAQUE_COLOR,    TR_I_OPAQUE_COLOR, TR_I_MARK,         TR_I_MARK,
+        TR_I_MARK,        TR_I_CROSSINGS,       TR_I_CROSSINGS,    TR_I_OPAQUE_COLOR, TR_I_OPAQUE_COLOR};
     tr_i_u block = tr->gl.GetUniformBlockIndex(program, "tr_frame");
     int i;
     tr->gl.UseProgram(program);
@@ -6548,8 +6896,9 @@ typedef struct tr_i_see_format {
     int across, up; /* 0: the viewport's size; 1: divided as masks are; 2: by 4; 3: by 8 */
 } tr_i_see_format;
 
-static tr_i_see_format tr_i_see_format_of(int texture, int srgb) {
-    static const tr_i_see_format formats[TR_I_SEE_TEXTURE_COUNT] = {
+/* depth: of what is copied, in tr_i_depths. */
+static tr_i_see_format tr_i_see_format_of(int texture, int srgb, int depth) {
+    static const tr_i_see_format formats[TR_I_SEE_TARGET_DEPTH] = {
         {TR_I_GL_DEPTH_COMPONENT32F, TR_I_GL_DEPTH_COMPONENT, TR_I_GL_FLOAT, 4, 0, 0},
         {TR_I_GL_RGBA8, TR_I_GL_RGBA, TR_I_GL_UNSIGNED_BYTE, 4, 0, 0},
         {TR_I_GL_R8, TR_I_GL_RED, TR_I_GL_UNSIGNED_BYTE, 1, 3, 0},
@@ -6561,7 +6910,13 @@ static tr_i_see_format tr_i_see_format_of(int texture, int srgb) {
         {TR_I_GL_RGBA8, TR_I_GL_RGBA, TR_I_GL_UNSIGNED_BYTE, 4, 0, 0},
         {TR_I_GL_R8, TR_I_GL_RED, TR_I_GL_UNSIGNED_BYTE, 1, 0, 0},
         {TR_I_GL_RGBA8, TR_I_GL_RGBA, TR_I_GL_UNSIGNED_BYTE, 4, 2, 2}};
-    tr_i_see_format format = formats[texture];
+    tr_i_see_format format = formats[texture < TR_I_SEE_TARGET_DEPTH ? texture : TR_I_SEE_DEPTH];
+    if (texture >= TR_I_SEE_TARGET_DEPTH) {
+        format.internal = tr_i_depths[depth].internal;
+        format.format = tr_i_depths[depth].format;
+        format.type = tr_i_depths[depth].type;
+        format.bytes = tr_i_depths[depth].bytes;
+    }
     if (texture == TR_I_SEE_BEHIND && srgb)
         format.internal = TR_I_GL_SRGB8_ALPHA8;
     return format;
@@ -6577,8 +6932,8 @@ static void tr_i_see_size(const tr_i_see_format *format, int width, int height, 
     out[1] = (height + up - 1) / up;
 }
 
-static uint64_t tr_i_see_weight(int texture, int width, int height, int divisor) {
-    tr_i_see_format format = tr_i_see_format_of(texture, 0);
+static uint64_t tr_i_see_weight(int texture, int depth, int width, int height, int divisor) {
+    tr_i_see_format format = tr_i_see_format_of(texture, 0, depth);
     int size[2];
     tr_i_see_size(&format, width, height, divisor, size);
     return (uint64_t)size[0] * (uint64_t)size[1] * format.bytes;
@@ -6594,7 +6949,11 @@ static void tr_i_see_attached(int fbo, int out[2]) {
                                                                 {TR_I_SEE_BEHIND, TR_I_SEE_DEPTH},
                                                                 {TR_I_SEE_YIELD, TR_I_SEE_DEPTH},
                                                                 {TR_I_SEE_QUERY, -1},
-                                                                {-1, TR_I_SEE_DEPTH}};
+                                                                {-1, TR_I_SEE_DEPTH},
+                                                                {-1, TR_I_SEE_TARGET_DEPTH},
+                                                                {-1, TR_I_SEE_BASE_DEPTH},
+                                                                {TR_I_SEE_BEHIND, -1},
+                                                                {TR_I_SEE_MARK, TR_I_SEE_BASE_DEPTH}};
     out[0] = attached[fbo][0];
     out[1] = attached[fbo][1];
 }
@@ -6605,7 +6964,7 @@ static int tr_i_see_fbo_of(const tr_i_see *see, int index) {
     switch (plan->passes[index].kind) {
     case TR_PASS_BLOCK:
     case TR_PASS_TARGETS:
-        return see->colored ? TR_I_SEE_FBO_BEHIND : TR_I_SEE_FBO_TARGETS;
+        return plan->in_parts ? TR_I_SEE_FBO_MARKS : see->colored ? TR_I_SEE_FBO_BEHIND : TR_I_SEE_FBO_TARGETS;
     case TR_PASS_BITS:
         return TR_I_SEE_FBO_BITS;
     case TR_PASS_SPREAD_X:
@@ -6616,8 +6975,12 @@ static int tr_i_see_fbo_of(const tr_i_see *see, int index) {
         return TR_I_SEE_FBO_MASK;
     case TR_PASS_PRIME: /* for the pass after it */
         return plan->passes[index + 1].kind == TR_PASS_YIELD ? TR_I_SEE_FBO_YIELD
-               : see->colored                                ? TR_I_SEE_FBO_PRIME
+               : see->colored || plan->in_parts              ? TR_I_SEE_FBO_PRIME
                                                              : TR_I_SEE_FBO_BEHIND;
+    case TR_PASS_TAKE: /* depth that is copied last is that of all */
+        return see->units_of[index] == TR_I_UNITS_ALL                                        ? TR_I_SEE_FBO_TAKE_COLOR
+               : see->units_of[index] == TR_I_UNITS_TARGETS && see->counts[TR_I_UNITS_BLOCK] ? TR_I_SEE_FBO_TAKE_TARGETS
+                                                                                             : TR_I_SEE_FBO_TAKE_BASE;
     case TR_PASS_BEHIND:
         return TR_I_SEE_FBO_BEHIND;
     case TR_PASS_YIELD:
@@ -6651,7 +7014,7 @@ static uint64_t tr_i_see_bytes(const tr_context *tr) {
     int i;
     for (i = 0; i < TR_I_SEE_TEXTURE_COUNT; ++i)
         if (see->textures[i])
-            bytes += tr_i_see_weight(i, see->width, see->height, see->divisor);
+            bytes += tr_i_see_weight(i, see->held_depth, see->width, see->height, see->divisor);
     return bytes;
 }
 
@@ -6981,7 +7344,7 @@ static tr_result tr_i_fit_units(tr_context *tr, size_t count) {
 static void tr_i_make_see_texture(tr_context *tr, int index) {
     const tr_i_gl *gl = &tr->gl;
     const tr_i_see *see = &tr->see;
-    tr_i_see_format format = tr_i_see_format_of(index, see->srgb);
+    tr_i_see_format format = tr_i_see_format_of(index, see->srgb, see->held_depth);
     int size[2];
     tr_i_see_size(&format, see->width, see->height, see->divisor, size);
     gl->GenTextures(1, &tr->see.textures[index]);
@@ -7005,8 +7368,11 @@ static int tr_i_make_see_fbo(tr_context *tr, int index) {
     if (color)
         gl->FramebufferTexture2D(TR_I_GL_DRAW_FRAMEBUFFER, color, TR_I_GL_TEXTURE_2D, tr->see.textures[attached[0]], 0);
     if (attached[1] >= 0)
-        gl->FramebufferTexture2D(TR_I_GL_DRAW_FRAMEBUFFER, TR_I_GL_DEPTH_ATTACHMENT, TR_I_GL_TEXTURE_2D,
-                                 tr->see.textures[attached[1]], 0);
+        gl->FramebufferTexture2D(TR_I_GL_DRAW_FRAMEBUFFER,
+                                 attached[1] >= TR_I_SEE_TARGET_DEPTH && tr_i_depths[tr->see.held_depth].stencil
+                                     ? TR_I_GL_DEPTH_STENCIL_ATTACHMENT
+                                     : TR_I_GL_DEPTH_ATTACHMENT,
+                                 TR_I_GL_TEXTURE_2D, tr->see.textures[attached[1]], 0);
     gl->DrawBuffers(1, &color);
     gl->ReadBuffer(color);
     return gl->CheckFramebufferStatus(TR_I_GL_DRAW_FRAMEBUFFER) == TR_I_GL_FRAMEBUFFER_COMPLETE;
@@ -7026,7 +7392,7 @@ static tr_result tr_i_make_queries(tr_context *tr) {
         tr->gl.GenBuffers(1, &see->queries[i].buffer);
         tr->gl.BindBuffer(TR_I_GL_PIXEL_PACK_BUFFER, see->queries[i].buffer);
         tr->gl.BufferData(TR_I_GL_PIXEL_PACK_BUFFER,
-                          (ptrdiff_t)tr_i_see_weight(TR_I_SEE_QUERY, see->width, see->height, see->divisor), 0,
+                          (ptrdiff_t)tr_i_see_weight(TR_I_SEE_QUERY, 0, see->width, see->height, see->divisor), 0,
                           TR_I_GL_STREAM_READ);
     }
     return TR_OK;
@@ -7041,7 +7407,7 @@ static int tr_i_see_misfits(const tr_context *tr) {
     const tr_i_see *see = &tr->see;
     int srgb = (tr->frame.wishes.options & TR_WISH_SRGB) != 0;
     return see->width != tr->frame.width || see->height != tr->frame.height || see->divisor != see->law.divisor ||
-           see->srgb != srgb;
+           see->srgb != srgb || (see->plan.in_parts && see->held_depth != see->host_depth);
 }
 
 static tr_result tr_i_make_see_textures(tr_context *tr) {
@@ -7053,6 +7419,7 @@ static tr_result tr_i_make_see_textures(tr_context *tr) {
     see->width = tr->frame.width;
     see->height = tr->frame.height;
     see->divisor = see->law.divisor;
+    see->held_depth = see->plan.in_parts ? see->host_depth : see->held_depth;
     see->srgb = (tr->frame.wishes.options & TR_WISH_SRGB) != 0;
     tr->gl.BindBuffer(TR_I_GL_PIXEL_UNPACK_BUFFER, 0);
     tr->gl.ActiveTexture(TR_I_GL_TEXTURE0 + (tr_i_u)(tr->desc.first_texture_unit + TR_I_SCENE_DEPTH));
@@ -8418,7 +8785,7 @@ static void tr_i_weigh_see(tr_context *tr) {
     int i;
     for (i = 0; i < TR_I_SEE_TEXTURE_COUNT; ++i)
         if ((needs >> i) & 1u)
-            see->plan.bytes += tr_i_see_weight(i, tr->frame.width, tr->frame.height, see->law.divisor);
+            see->plan.bytes += tr_i_see_weight(i, see->host_depth, tr->frame.width, tr->frame.height, see->law.divisor);
 }
 
 /* What of a frame is looked at. */
@@ -8434,17 +8801,20 @@ static tr_frame tr_i_dynamic_frame(const tr_frame *frame) {
 /* The program of ours for a pass of the plan. */
 static int tr_i_see_program(const tr_context *tr, int index) {
     const tr_see_pass *pass = &tr->see.plan.passes[index];
+    int parts = tr->see.plan.in_parts && !tr->see.marked ? TR_I_PROGRAM_PARTS - TR_I_PROGRAM_SEE : 0;
     switch (pass->kind) {
     case TR_PASS_BITS:
-        return TR_I_PROGRAM_BITS;
+        return TR_I_PROGRAM_BITS + parts;
     case TR_PASS_SPREAD_X:
         return TR_I_PROGRAM_SPREAD_X;
     case TR_PASS_SPREAD_Y:
-        return TR_I_PROGRAM_SPREAD_Y;
+        return TR_I_PROGRAM_SPREAD_Y + parts;
     case TR_PASS_FINISH:
-        return tr->see.law.reach ? TR_I_PROGRAM_FINISH : TR_I_PROGRAM_FINISH_BARE;
-    case TR_PASS_PRIME:
-        return tr_i_see_fbo_of(&tr->see, index) == TR_I_SEE_FBO_PRIME ? TR_I_PROGRAM_PRIME_COLOR : TR_I_PROGRAM_PRIME;
+        return (tr->see.law.reach ? TR_I_PROGRAM_FINISH : TR_I_PROGRAM_FINISH_BARE) + parts;
+    case TR_PASS_PRIME: /* that there is colour already, the framebuffer shows */
+        return tr_i_see_fbo_of(&tr->see, index) != TR_I_SEE_FBO_PRIME ? TR_I_PROGRAM_PRIME
+               : tr->see.plan.in_parts                                ? TR_I_PROGRAM_PRIME_PARTS
+                                                                      : TR_I_PROGRAM_PRIME_COLOR;
     case TR_PASS_COMPOSE_MASK:
         return tr->see.partial ? TR_I_PROGRAM_COMPOSE_YIELD : TR_I_PROGRAM_COMPOSE_MASK;
     case TR_PASS_QUERY:
@@ -8460,8 +8830,8 @@ static int tr_i_see_is_drawn(tr_pass_kind kind) {
            kind == TR_PASS_YIELD || kind == TR_PASS_HIDES;
 }
 
-static const uint32_t *tr_i_see_units(const tr_i_see *see, tr_pass_kind kind) {
-    switch (kind) {
+static const uint32_t *tr_i_see_units(const tr_i_see *see, int index) {
+    switch (see->plan.passes[index].kind) {
     case TR_PASS_BLOCK:
         return see->lists[TR_I_UNITS_BLOCK];
     case TR_PASS_TARGETS:
@@ -8473,7 +8843,7 @@ static const uint32_t *tr_i_see_units(const tr_i_see *see, tr_pass_kind kind) {
     case TR_PASS_HIDES:
         return see->lists[TR_I_UNITS_BEFORE];
     case TR_PASS_SCENE:
-        return see->lists[TR_I_UNITS_ALL];
+        return see->lists[see->units_of[index]];
     default:
         return 0;
     }
@@ -8493,7 +8863,7 @@ static void tr_i_fill_see_block(tr_context *tr, const tr_dynamic *dynamic) {
     block->law[0] = see->law.target;
     block->law[1] = see->law.start;
     block->law[2] = see->law.width;
-    block->law[3] = see->colored ? -1.0f : (float)dynamic->light_count;
+    block->law[3] = see->colored || (see->plan.in_parts && !see->marked) ? -1.0f : (float)dynamic->light_count;
     memcpy(block->background, dynamic->background, sizeof dynamic->background);
     block->background[3] = dynamic->occluders == TR_OCCLUDERS_EACH ? 1.0f : 0.0f;
     block->grid[0] = see->law.divisor;
@@ -8513,6 +8883,11 @@ static void tr_i_fill_see_block(tr_context *tr, const tr_dynamic *dynamic) {
     }
 }
 
+/* Whether a pass needs a program of ours before the host asks for it. */
+static int tr_i_needs_program(const tr_context *tr, tr_pass_kind kind) {
+    return kind != TR_PASS_TAKE && (kind != TR_PASS_SCENE || tr->desc.state == TR_STATE_NONE);
+}
+
 /* 1 if something has to be created: never in a steady frame. */
 static int tr_i_see_lacks(const tr_context *tr) {
     const tr_i_see *see = &tr->see;
@@ -8525,8 +8900,7 @@ static int tr_i_see_lacks(const tr_context *tr) {
             return 1;
     for (i = 0; i < see->plan.pass_count; ++i) {
         const tr_see_pass *pass = &see->plan.passes[i];
-        int fbo = tr_i_see_fbo_of(see, i);
-        int wanted = pass->kind != TR_PASS_SCENE || tr->desc.state == TR_STATE_NONE;
+        int fbo = tr_i_see_fbo_of(see, i), wanted = tr_i_needs_program(tr, pass->kind);
         if ((fbo >= 0 && !see->fbos[fbo]) || (wanted && !tr->programs[tr_i_see_program(tr, i)].name))
             return 1;
     }
@@ -8552,7 +8926,7 @@ static tr_result tr_i_see_work(tr_context *tr) {
     if (result == TR_OK && tr_i_lacks_queries(see))
         result = tr_i_make_queries(tr);
     for (i = 0; i < see->plan.pass_count && result == TR_OK; ++i)
-        if (see->plan.passes[i].kind != TR_PASS_SCENE || tr->desc.state == TR_STATE_NONE)
+        if (tr_i_needs_program(tr, see->plan.passes[i].kind))
             result = tr_i_make_program(tr, tr_i_see_program(tr, i));
     if (result != TR_OK)
         return result;
@@ -8941,6 +9315,12 @@ static void tr_i_plan_boxes(const tr_i_sequence *seq, tr_see_plan *plan) {
     plan->covered = (float)(area / ((double)seq->wanted[0] * (double)seq->wanted[1]));
 }
 
+/* Of what the textures of masks are: desc.eight_bits, or what the context has turned out to draw into. */
+static const char *tr_i_seq_why(const tr_i_sequence *seq) {
+    return seq->eight_bits ? "something that yields lies before a target; masks of 8 bits"
+                           : "something that yields lies before a target; masks of floats";
+}
+
 /* The plan of the cheaper rungs gives way. */
 static void tr_i_plan_sequence(tr_context *tr, const tr_dynamic *dynamic) {
     const tr_i_sequence *seq = &tr->seq;
@@ -8955,8 +9335,7 @@ static void tr_i_plan_sequence(tr_context *tr, const tr_dynamic *dynamic) {
         return;
     }
     plan->see = dynamic->see;
-    plan->why = seq->eight_bits ? "something that yields lies before a target; masks of 8 bits"
-                                : "something that yields lies before a target; masks of floats";
+    plan->why = tr_i_seq_why(seq);
     plan->layers = seq->exact ? (uint32_t)seq->peeled : 0;
     plan->layer_bound = seq->exact ? (uint32_t)seq->layer_bound : 0;
     tr_i_plan_boxes(seq, plan);
@@ -8986,6 +9365,8 @@ static tr_result tr_i_arrange_sequence(tr_context *tr, const tr_frame *frame, co
     size[0] = frame->width;
     size[1] = frame->height;
     tr_i_take_wishes(tr, dynamic);
+    if (tr->desc.eight_bits)
+        seq->eight_bits = 1;
     if (!tr_i_order_units(tr, seq, dynamic))
         return tr_i_fail(&tr->desc, TR_OUT_OF_MEMORY, "dynamic.units");
     if (seq->exact) {
@@ -9034,8 +9415,9 @@ static tr_result tr_i_begin_sequence(tr_context *tr, const tr_frame *frame, cons
         tr_i_save(tr, &tr->saved);
         result = tr_i_seq_work(tr);
         tr_i_restore(tr, &tr->saved);
-        tr->see.plan.bytes =
-            tr_i_seq_bytes(seq, tr_i_seq_needs(seq), seq->wanted); /* floats may have turned out not to be had */
+        /* Floats may have turned out not to be had. */
+        tr->see.plan.bytes = tr_i_seq_bytes(seq, tr_i_seq_needs(seq), seq->wanted);
+        tr->see.plan.why = tr_i_seq_why(seq);
     }
     if (result == TR_OK)
         tr_i_upload_blocks(tr);
@@ -9057,12 +9439,12 @@ TR_I_API tr_result tr_begin_dynamic(tr_context *tr, const tr_frame *frame, const
         return result;
     tr->frame = used;
     tr->seq.active = tr_i_is_sequence(dynamic->see);
-    tr_i_plan_see(&tr->see, dynamic, frame->width, frame->height);
+    tr_i_plan_see(tr, dynamic, frame->width, frame->height);
     tr_i_weigh_see(tr);
     if (tr->see.plan.see == TR_SEE_OFF)
         tr_i_forget_answers(&tr->see);
     tr_i_fill_see_block(tr, dynamic);
-    tr->see.step = 0;
+    tr->see.step = tr->see.region = 0;
     tr->see.active = 1;
     tr->see.in_use = 0;
     tr->see.entered = TR_I_OUTSIDE;
@@ -9073,29 +9455,35 @@ TR_I_API tr_result tr_begin_dynamic(tr_context *tr, const tr_frame *frame, const
 
 /* Textures that a pass reads, on units that hold two-dimensional ones. */
 static void tr_i_fill_see_textures(const tr_i_see *see, tr_pass_kind kind, int fbo, tr_state *state) {
-    const tr_i_u *from = see->textures, mark = from[see->colored ? TR_I_SEE_BEHIND : TR_I_SEE_MARK];
+    /* Of a scene in parts the mark is that target's and all depths are the same. */
+    int parts = see->plan.in_parts, bare = parts && !see->marked;
+    const tr_i_u *from = see->textures, mark = bare ? 0 : from[see->colored ? TR_I_SEE_BEHIND : TR_I_SEE_MARK];
+    tr_i_u targets = from[!parts                                  ? TR_I_SEE_DEPTH
+                          : bare && see->counts[TR_I_UNITS_BLOCK] ? TR_I_SEE_TARGET_DEPTH
+                                                                  : TR_I_SEE_BASE_DEPTH];
     tr_i_u *depth = &state->textures[TR_I_SCENE_DEPTH], *mask = &state->textures[TR_I_OPAQUE_COLOR];
     tr_i_u *third = &state->textures[TR_I_MARK], *fourth = &state->textures[TR_I_CROSSINGS];
     switch (kind) {
     case TR_PASS_BITS:
-        *mask = mark;
+        *depth = bare ? targets : 0;
+        *mask = bare ? from[TR_I_SEE_BASE_DEPTH] : mark;
         break;
     case TR_PASS_SPREAD_X:
-        *depth = from[TR_I_SEE_DEPTH];
+        *depth = targets;
         *third = from[TR_I_SEE_BITS];
         break;
     case TR_PASS_SPREAD_Y:
     case TR_PASS_FINISH:
-        *depth = from[TR_I_SEE_DEPTH];
-        *mask = mark;
+        *depth = targets;
+        *mask = bare && kind == TR_PASS_FINISH ? from[TR_I_SEE_BITS] : mark;
         *third = from[kind == TR_PASS_SPREAD_Y ? TR_I_SEE_ROWS : TR_I_SEE_LOW];
         *fourth = kind == TR_PASS_FINISH ? from[TR_I_SEE_LOW_DEPTH] : 0;
         break;
     case TR_PASS_PRIME:
         *mask = from[TR_I_SEE_MASK];
         if (fbo == TR_I_SEE_FBO_PRIME) {
-            *depth = from[TR_I_SEE_MASK_DEPTH];
-            *third = mark;
+            *depth = from[parts ? TR_I_SEE_BASE_DEPTH : TR_I_SEE_MASK_DEPTH];
+            *third = parts ? 0 : mark;
         }
         break;
     case TR_PASS_QUERY:
@@ -9134,7 +9522,7 @@ static void tr_i_fill_see_extent(const tr_context *tr, int fbo, tr_state *state)
     tr_i_see_format format;
     int attached[2], across, up, k;
     tr_i_see_attached(fbo, attached);
-    format = tr_i_see_format_of(attached[0] >= 0 ? attached[0] : attached[1], 0);
+    format = tr_i_see_format_of(attached[0] >= 0 ? attached[0] : attached[1], 0, 0);
     across = tr_i_see_divisor(format.across, see->divisor);
     up = tr_i_see_divisor(format.up, see->divisor);
     tr_i_see_size(&format, see->width, see->height, see->divisor, &state->viewport[2]);
@@ -9194,7 +9582,8 @@ static void tr_i_fill_see_tests(const tr_context *tr, int index, tr_state *state
         break;
     case TR_PASS_TARGETS: /* before what coincides with it */
         state->depth_func = reversed ? TR_I_GL_GEQUAL : TR_I_GL_LEQUAL;
-        state->clear_depth = index == 0 || tr->see.plan.passes[index - 1].kind != TR_PASS_BLOCK;
+        state->depth_write = !tr->see.plan.in_parts;
+        state->clear_depth = state->depth_write && (index == 0 || tr->see.plan.passes[index - 1].kind != TR_PASS_BLOCK);
         state->clear_color = 1;
         if (tr->see.colored) /* what shows where nothing is behind a mask */
             memcpy(state->clear_color_value, tr->see.block.background, 3 * sizeof state->clear_color_value[0]);
@@ -9561,6 +9950,58 @@ static int tr_i_next_step(tr_context *tr, tr_pass *pass) {
 
 /* ---- dynamic transparency: the passes of all rungs ---- */
 
+/* Copies what the host has drawn so far, depth or colour, to where a pass of the plan says. Between parts of the scene: the
+   host's state stays. */
+static void tr_i_take(tr_context *tr, int index) {
+    const tr_i_gl *gl = &tr->gl;
+    const int *box = tr->see.plan.rectangle;
+    int fbo = tr_i_see_fbo_of(&tr->see, index), x = tr->frame.x, y = tr->frame.y;
+    int x1 = box[0] + box[2], y1 = box[1] + box[3];
+    tr_i_u what = fbo == TR_I_SEE_FBO_TAKE_COLOR ? TR_I_GL_COLOR_BUFFER_BIT : TR_I_GL_DEPTH_BUFFER_BIT;
+    int32_t drawn = 0, read = 0;
+    if (what == TR_I_GL_DEPTH_BUFFER_BIT && tr_i_depths[tr->see.held_depth].stencil)
+        what |= TR_I_GL_STENCIL_BUFFER_BIT; /* both at once are moved as they are */
+    tr_i_save(tr, &tr->saved);
+    gl->Disable(TR_I_GL_SCISSOR_TEST);
+    gl->BindFramebuffer(TR_I_GL_DRAW_FRAMEBUFFER, tr->frame.framebuffer);
+    gl->BindFramebuffer(TR_I_GL_READ_FRAMEBUFFER, tr->frame.framebuffer);
+    gl->GetIntegerv(TR_I_GL_DRAW_BUFFER0, &drawn);
+    gl->GetIntegerv(TR_I_GL_READ_BUFFER, &read);
+    gl->ReadBuffer((tr_i_u)drawn);
+    gl->BindFramebuffer(TR_I_GL_DRAW_FRAMEBUFFER, tr->see.fbos[fbo]);
+    gl->BlitFramebuffer(x + box[0], y + box[1], x + x1, y + y1, box[0], box[1], x1, y1, what, TR_I_GL_NEAREST);
+    gl->ReadBuffer((tr_i_u)read);
+    tr_i_restore(tr, &tr->saved);
+}
+
+/* What may show through the masks of the next region, in the region's rectangle. 0: no region is left. */
+static int tr_i_next_region(tr_context *tr, tr_pass *pass) {
+    tr_i_see *see = &tr->see;
+    const tr_i_grid *grid = &see->grid;
+    const int *region = grid->regions[see->region];
+    size_t i;
+    int cells[4], k;
+    see->counts[TR_I_UNITS_REGION] = 0;
+    for (i = 0; i < see->counts[TR_I_UNITS_BEHIND]; ++i) {
+        uint32_t unit = see->lists[TR_I_UNITS_BEHIND][i];
+        tr_i_cells_of(grid, &see->places[unit], 0, cells);
+        for (k = 0; k < 2; ++k) {
+            cells[k] = cells[k] > region[k] ? cells[k] : region[k];
+            cells[k + 2] = cells[k + 2] < region[k + 2] ? cells[k + 2] : region[k + 2];
+        }
+        if (tr_i_any_cell(grid->nearest_target, cells, 3.0e38f, 1.0f))
+            tr_i_list(see, TR_I_UNITS_REGION, unit);
+    }
+    pass->units = see->lists[TR_I_UNITS_REGION];
+    pass->unit_count = see->counts[TR_I_UNITS_REGION];
+    for (k = 0; k < 2; ++k) {
+        int size = k ? see->height : see->width, end = region[k + 2] * grid->side;
+        pass->state.scissor[k] = region[k] * grid->side;
+        pass->state.scissor[k + 2] = (end < size ? end : size) - pass->state.scissor[k];
+    }
+    return ++see->region < grid->region_count;
+}
+
 static int tr_i_next_see_pass(tr_context *tr, tr_pass *pass) {
     tr_i_see *see = &tr->see;
     if (tr->seq.active && see->plan.see != TR_SEE_OFF)
@@ -9568,14 +10009,19 @@ static int tr_i_next_see_pass(tr_context *tr, tr_pass *pass) {
     while (see->step < see->plan.pass_count) {
         int index = see->step++;
         const tr_see_pass *planned = &see->plan.passes[index];
+        if (planned->kind == TR_PASS_TAKE) {
+            tr_i_take(tr, index);
+            continue;
+        }
         memset(pass, 0, sizeof *pass);
         pass->kind = planned->kind;
         pass->rule = planned->rule;
         pass->name = tr_pass_kind_name(planned->kind);
-        pass->units = tr_i_see_units(see, planned->kind);
+        pass->units = tr_i_see_units(see, index);
         pass->unit_count = planned->unit_count;
         tr_i_fill_see_bindings(tr, index, &pass->state);
         tr_i_fill_see_tests(tr, index, &pass->state);
+        see->step -= planned->kind == TR_PASS_BEHIND && tr_i_next_region(tr, pass);
         tr_i_apply_see(tr, pass);
         if (tr->desc.state == TR_STATE_NONE || pass->state.vertex_count == 0)
             return 1;
@@ -9593,7 +10039,7 @@ static void tr_i_ask(tr_context *tr) {
     const tr_i_gl *gl = &tr->gl;
     tr_i_see *see = &tr->see;
     tr_i_query *query = &see->queries[see->next_query];
-    tr_i_see_format format = tr_i_see_format_of(TR_I_SEE_QUERY, 0);
+    tr_i_see_format format = tr_i_see_format_of(TR_I_SEE_QUERY, 0, 0);
     int32_t pack[4], bound[2] = {0, 0};
     int size[2], i;
     if (query->fence)

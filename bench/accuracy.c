@@ -53,6 +53,7 @@ static void add_row(const char *effect, const char *scene_name, const char *sett
     r->bytes = bytes;
     printf("%-14s %-12s %-24s %9.2f ms  max %8.3f  rms %8.4f  %10llu bytes\n", effect, scene_name, setting, ms,
            error_max, error_rms, bytes);
+    fflush(stdout);
 }
 
 static bool write_table(const char *folder) {

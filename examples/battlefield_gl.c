@@ -62,7 +62,7 @@ static const char *const FRAGMENT =
     "    return vec4(c, 1.0);\n"
     "}\n"
     "layout(location = 0) out vec4 out_color;\n"
-    "#ifdef SECOND_TARGET\n"
+    "#if defined(SECOND_TARGET) && !defined(ONE_OUTPUT)\n"
     "layout(location = 1) out vec4 out_normal;\n"
     "#endif\n"
     "void main() {\n"
@@ -71,7 +71,7 @@ static const char *const FRAGMENT =
     "    tr_see_through(c, v_code);\n"
     "#endif\n"
     "    out_color = c;\n"
-    "#ifdef SECOND_TARGET\n"
+    "#if defined(SECOND_TARGET) && !defined(ONE_OUTPUT)\n"
     "    out_normal = vec4(0.5 + 0.5 * normalize(v_normal), float(v_code & 255u) / 255.0);\n"
     "#endif\n"
     "}\n";

@@ -63,7 +63,9 @@ static uint32_t program_of(battlefield_see *see, tr_rule rule, char *message, si
     char defines[256];
     strings.vertex = tr_glsl(see->tr, TR_VERTEX, rule, &strings.vertex_count);
     strings.fragment = tr_glsl(see->tr, TR_FRAGMENT, rule, &strings.fragment_count);
-    snprintf(defines, sizeof defines, "%s#define SEE_THROUGH\n", see->defines);
+    /* In that rule location 1 is the header's. */
+    snprintf(defines, sizeof defines, "%s#define SEE_THROUGH\n%s", see->defines,
+             rule == TR_RULE_SEE_PEEL ? "#define ONE_OUTPUT\n" : "");
     see->programs[rule] = rule == TR_RULE_SEE_PLAIN ? battlefield_gl_program(NULL, see->es, see->defines, message, size)
                                                     : battlefield_gl_program(&strings, see->es, defines, message, size);
     if (see->programs[rule] && rule != TR_RULE_SEE_PLAIN)

@@ -79,11 +79,17 @@ static const char *const HELP[] = {
     "  --law LAW[:OPACITY]      --style smart and curvature, what a layer starts with: adaptive (default, 0.6), all\n"
     "                           layers of a pixel together; constant; angle and variation, more where the surface turns\n"
     "                           away or bends; distance, more near silhouettes; given: as in the file. Default 0.3\n"
-    "  --iterations N           --style smart: pixels over which silhouettes fade, 1 to 500; default 20\n"
+    "  --iterations N           --style smart: pixels over which silhouettes fade, 1 to 500, default 20; 0: neither they\n"
+    "                           nor halos, but the law alone\n"
     "  --halo N                 --style smart: the same of halos, 0 to 500, 0 for none; default 5\n"
     "  --transfer WORD[,WORD]   --style curvature: shade convex or curved, opacity front or deep; default convex,deep.\n"
     "                           FILE.png: of one row, a shade for curvatures from convex to concave, 128 leaving\n"
     "                           colours alone; of several, opacity: flat to curved, near (top) to far\n"
+    "  --neighbours HOW         --style smart and curvature, which places of a surface go on in one another: mutual\n"
+    "                           (default); carnecky, murray: as their papers have it; one-sided: the latter without\n"
+    "                           asking back\n"
+    "  --contours KIND[:LEAST]  --style smart and curvature, lines within surfaces: suggestive, where they would turn away\n"
+    "                           if seen from nearby; LEAST leaves out faint ones, default 1; or none (default)\n"
     "  --group PART[,PART...]   transparent parts that show through each other; several --group are several groups\n"
     "  --group-distance D       only where closer than D along the view\n"
     "  --enter SHADE            darken opaque parts where they enter transparent ones, 0 to 1\n"
@@ -484,9 +490,20 @@ static int set_law(options *o, const char *value) {
 }
 
 static int set_iterations(options *o, const char *value) {
-    if (!read_whole(value, strlen(value), 1, 500, &o->job.iterations))
-        return misused("--iterations %s: not a whole number from 1 to 500", value);
+    if (!read_whole(value, strlen(value), 0, 500, &o->job.iterations))
+        return misused("--iterations %s: not a whole number from 0 to 500", value);
+    o->job.iterations = o->job.iterations > 0 ? o->job.iterations : -1;
     return DONE;
+}
+
+static int set_neighbours(options *o, const char *value) {
+    static const char *const words[] = {"mutual", "murray", "one-sided", "carnecky", NULL};
+    static const illustrate_neighbours all[] = {NEIGHBOURS_MUTUAL, NEIGHBOURS_MURRAY, NEIGHBOURS_ONE_SIDED,
+                                                NEIGHBOURS_CARNECKY};
+    int chosen, result = read_choice("--neighbours", value, words, &chosen);
+    if (result == DONE)
+        o->job.neighbours = all[chosen];
+    return result;
 }
 
 static int set_halo(options *o, const char *value) {
@@ -530,6 +547,18 @@ static int set_transfer(options *o, const char *value) {
         if (!*at)
             return DONE;
     }
+}
+
+static int set_contours(options *o, const char *value) {
+    static const char *const words[] = {"none", "suggestive", NULL};
+    size_t length = strcspn(value, ":");
+    int word = read_word(value, length, words);
+    double least = -1;
+    const char *number = value + length + (value[length] ? 1 : 0);
+    if (word < 0 || (value[length] && (word == 0 || !read_number(number, strlen(number), 1e-6, 1e6, &least))))
+        return misused("--contours %s: there are none, suggestive and suggestive:LEAST with 1e-6 to 1e6", value);
+    o->job.contours = word ? least : 0;
+    return DONE;
 }
 
 static int set_enter(options *o, const char *value) {
@@ -683,8 +712,10 @@ static const option OPTIONS[] = {{"--output", true, set_output},
                                  {"--glass", true, set_glass},
                                  {"--law", true, set_law},
                                  {"--iterations", true, set_iterations},
+                                 {"--neighbours", true, set_neighbours},
                                  {"--halo", true, set_halo},
                                  {"--transfer", true, set_transfer},
+                                 {"--contours", true, set_contours},
                                  {"--group", true, set_group},
                                  {"--group-distance", true, set_group_distance},
                                  {"--enter", true, set_enter},
@@ -735,6 +766,8 @@ static int check_options(const options *o) {
         return misused("no model is given; see illustrate --help");
     if (!o->output && !o->list)
         return misused("no -o OUT.png is given");
+    if (o->job.law == LAW_DISTANCE && o->job.iterations < 0)
+        return misused("--iterations 0: there are no silhouettes for --law distance");
     bool varies = o->job.weight == WEIGHT_PERSPECTIVE || o->job.weight == WEIGHT_LIGHT;
     if (o->svg && (varies || o->job.explain || (o->job.style != STYLE_AUTO && o->job.style != STYLE_LINES)))
         return misused(

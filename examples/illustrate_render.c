@@ -893,7 +893,7 @@ static bool prepare(renderer *r) {
 /* ---- drawing --------------------------------------------------------------------------------------------------- */
 
 static int silhouette_reach(const illustrate_job *job) {
-    return job->iterations ? job->iterations : 20;
+    return job->iterations < 0 ? 0 : job->iterations > 0 ? job->iterations : 20;
 }
 
 /* In drawn pixels, of which a pixel of the result has several, so that a halo may be narrower than one of those. */
@@ -1273,6 +1273,10 @@ static bool has_opaque(const renderer *r) {
     return false;
 }
 
+static bool contours_are_drawn(const illustrate_job *job) {
+    return job->contours != 0;
+}
+
 static bool start_glass(renderer *r, oit_proc (*get_proc)(const char *)) {
     oit_desc desc;
     oit_result result;
@@ -1286,9 +1290,11 @@ static bool start_glass(renderer *r, oit_proc (*get_proc)(const char *)) {
     else
         desc.fields = OIT_FIELD_BLEND | OIT_FIELD_PART | OIT_FIELD_NORMAL; /* lines are no surfaces */
     if (r->job->style == STYLE_SMART)
-        desc.operators = OIT_OPERATE_SMART;
+        desc.operators = r->job->iterations < 0 ? OIT_OPERATE_LINKS | OIT_OPERATE_LAW : OIT_OPERATE_SMART;
     if (r->job->style == STYLE_CURVATURE)
         desc.operators = OIT_OPERATE_CURVATURE | (r->job->law == LAW_DISTANCE ? OIT_OPERATE_SMART : 0);
+    if (r->job->style != STYLE_GLASS && contours_are_drawn(r->job))
+        desc.operators |= OIT_OPERATE_CONTOURS;
     desc.ceiling_bytes = r->job->style == STYLE_GLASS ? 0 : (int64_t)2 << 30; /* operators need all of a tile at once */
     r->oit = oit_create(&desc, &result);
     if (!r->oit)
@@ -1377,6 +1383,17 @@ static void draw_seals(const renderer *r, const oit_pass *pass, const double pro
     glUseProgram(pass->state.program);
 }
 
+static oit_operator link_operator(const renderer *r) {
+    static const oit_criterion criteria[] = {OIT_LINK_DEPTH, OIT_LINK_MURRAY, OIT_LINK_MURRAY, OIT_LINK_PUBLISHED};
+    oit_operator op;
+    memset(&op, 0, sizeof op);
+    op.kind = OIT_RUN_LINK;
+    op.link.radius = (float)r->radius;
+    op.link.criterion = criteria[r->job->neighbours];
+    op.link.no_reverse_check = r->job->neighbours == NEIGHBOURS_ONE_SIDED;
+    return op;
+}
+
 /* Opacity that layers start with. */
 static oit_operator law_operator(const illustrate_job *job) {
     static const oit_law_kind kinds[] = {OIT_LAW_ADAPTIVE, OIT_LAW_GIVEN,     OIT_LAW_CONSTANT, OIT_LAW_ADAPTIVE,
@@ -1408,6 +1425,15 @@ static oit_operator smart_operator(const illustrate_job *job) {
     return op;
 }
 
+static void add_contours(const illustrate_job *job, oit_curvature *curvature) {
+    if (!contours_are_drawn(job))
+        return;
+    curvature->contours = OIT_CONTOURS_SUGGESTIVE;
+    curvature->contour_width = 1.2f * (float)job->quality;
+    curvature->contour_iterations = 64 * job->quality * job->quality; /* 4 pixels of the result */
+    curvature->contour_least = (float)fmax(job->contours, 0);
+}
+
 static oit_operator curvature_operator(const renderer *r) {
     const illustrate_job *job = r->job;
     bool none = !(job->shade_convex || job->shade_curved || job->opacity_front || job->opacity_deep || job->shades ||
@@ -1416,6 +1442,9 @@ static oit_operator curvature_operator(const renderer *r) {
     memset(&op, 0, sizeof op);
     op.kind = OIT_RUN_CURVATURE;
     op.curvature.unit = (float)(0.06 * r->radius); /* radii of a tenth of the scene bend well */
+    add_contours(job, &op.curvature);
+    if (r->style == STYLE_SMART) /* contours alone */
+        return op;
     op.curvature.shade = job->shade_curved           ? OIT_SHADE_CURVED
                          : job->shade_convex || none ? OIT_SHADE_CONVEX
                                                      : OIT_SHADE_NONE;
@@ -1447,17 +1476,15 @@ static void end_stage(renderer *r, glass_stage stage) {
 static oit_result operate(renderer *r) {
     oit_operator ops[5];
     size_t count = 0;
-    bool late = r->job->law == LAW_DISTANCE, is_smart = r->style == STYLE_SMART;
-    memset(&ops[0], 0, sizeof ops[0]);
-    ops[count].kind = OIT_RUN_LINK;
-    ops[count++].link.radius = (float)r->radius;
+    bool late = r->job->law == LAW_DISTANCE, is_smart = r->style == STYLE_SMART && r->job->iterations >= 0;
+    ops[count++] = link_operator(r);
     if (!late)
         ops[count++] = law_operator(r->job);
     if (is_smart || late)
         ops[count++] = smart_operator(r->job);
     if (late) /* by the distances that SMART has found */
         ops[count++] = law_operator(r->job);
-    if (!is_smart)
+    if (r->style == STYLE_CURVATURE || contours_are_drawn(r->job))
         ops[count++] = curvature_operator(r);
     oit_result result = OIT_OK;
     for (size_t i = 0; i < count && result == OIT_OK; ++i) {

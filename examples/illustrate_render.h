@@ -26,6 +26,14 @@ typedef enum illustrate_law {
     LAW_VARIATION,
     LAW_DISTANCE
 } illustrate_law;
+/* When fragments are neighbours: oit_buffers.h's, or as the papers have it; ONE_SIDED: Murray's without the reverse check
+ * (figure 5a). */
+typedef enum illustrate_neighbours {
+    NEIGHBOURS_MUTUAL,
+    NEIGHBOURS_MURRAY,
+    NEIGHBOURS_ONE_SIDED,
+    NEIGHBOURS_CARNECKY
+} illustrate_neighbours;
 typedef enum illustrate_shade { SHADE_COOL_TO_WARM, SHADE_FLAT } illustrate_shade;
 /* AUTO: explicit for transparent parts with inner walls, else implicit. PUBLISHED: implicit, with the paper's faults.
  * LAYERS: the closest transparent surfaces, whatever they belong to. */
@@ -78,11 +86,14 @@ typedef struct illustrate_job {
     float opacity;               /* STYLE_GLASS: of parts that the file has opaque, 0 to 1; 0: 0.3, adaptive 0.7 */
     illustrate_law law;          /* STYLE_SMART, STYLE_CURVATURE */
     float law_opacity;           /* of that law; 0: 0.3, ADAPTIVE 0.6 */
-    int iterations;              /* STYLE_SMART: pixels of the result that silhouettes fade over; 0: 20 */
-    double halo;                 /* the same of halos; 0: 5, negative: none */
+    illustrate_neighbours neighbours; /* STYLE_SMART, STYLE_CURVATURE */
+    int iterations; /* STYLE_SMART: pixels of the result that silhouettes fade over; 0: 20, negative: the law alone */
+    double halo;    /* the same of halos; 0: 5, negative: none */
     bool shade_convex, shade_curved, opacity_front, opacity_deep; /* STYLE_CURVATURE: presets; none: convex and deep */
     const float *shades, *opacities;                              /* instead, where not NULL: oit_curvature's arrays */
-    float enter;           /* shade taken from opaque parts where they enter transparent ones, 0 to 1 */
+    double contours; /* STYLE_SMART, STYLE_CURVATURE: the least rise of suggestive ones, radii of the scene to the power
+                        -2; 0: none, negative: 1 */
+    float enter;     /* shade taken from opaque parts where they enter transparent ones, 0 to 1 */
     bool explain, verbose; /* explain: fill explain_json; verbose: lines about the path taken may go to stderr */
     void (*progress)(const char *what, double fraction, void *user); /* may be NULL; fraction 0 to 1 */
     void *user;

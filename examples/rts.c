@@ -446,6 +446,7 @@ static tr_dynamic wish_of(const stage *s, tr_light *light) {
     wish.alpha_start = wished(o->alpha_start);
     wish.width = wished(o->mask_width * o->quality);
     wish.mask_divisor = o->mask_divisor;
+    wish.in_parts = 1; /* cleared before, and passes draw what they ask for */
     wish.layers = o->layers;
     wish.lights = light;
     wish.light_count = o->active;
@@ -454,10 +455,23 @@ static tr_dynamic wish_of(const stage *s, tr_light *light) {
     return wish;
 }
 
+/* In a window keys choose one thing after the other: what a method cannot do waits until there is one that can. */
+static void take_what_can_be(tr_dynamic *wish) {
+    if (wish->see == TR_SEE_ONE_MASK)
+        wish->occluders = TR_OCCLUDERS_TOGETHER;
+    if (wish->see == TR_SEE_ONE_MASK || wish->see == TR_SEE_DITHER) {
+        wish->shape = TR_MASK_OUTLINE;
+        wish->combine = TR_MASK_MIN;
+        wish->layers = 0;
+    }
+}
+
 static int draw_units(stage *s) {
     char message[2048] = "";
     tr_light light;
     tr_dynamic wish = wish_of(s, &light);
+    if (!s->o->output)
+        take_what_can_be(&wish);
     tr_frame frame = {0};
     frame.framebuffer = s->framebuffer;
     frame.width = s->width;
@@ -712,7 +726,8 @@ static void move_light(GLFWwindow *window, hand *h, int width, int height) {
 static void tell_in_title(GLFWwindow *window, const stage *s, double seconds) {
     char title[160];
     snprintf(title, sizeof title, "rts: %s, %s masks%s, %.1f ms", nth_word(METHODS, s->o->method),
-             s->o->shape ? "drawn" : "outline", s->o->active ? ", search light" : "", 1000 * seconds);
+             s->o->shape && s->o->method >= TR_SEE_EXACT ? "drawn" : "outline", s->o->active ? ", search light" : "",
+             1000 * seconds);
     glfwSetWindowTitle(window, title);
 }
 

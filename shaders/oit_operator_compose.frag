@@ -1,7 +1,8 @@
 // For: oit_buffers.h
 // The pixels' runs in the order of their slots over the target, each surface with the opacity that the operators made
 // (Carnecky 2013, section 5.5, algorithm 3) and shaded by its curvature (Murray 2016, section 5.2). OIT_STEP: x: bits: 1:
-// base, 2: beta and gamma, 4: shade, 8: algorithm 3 as printed; y, z: profiles of beta and gamma; oit_set[0]: their p.
+// base, 2: beta and gamma, 4: shade, 8: algorithm 3 as printed, 16: contours; y, z: profiles of beta and gamma; oit_set[0]:
+// their p; oit_set[2]: colour of contours.
 // OIT_EXTRA_STEP and oit_set[7]: as oit_value says.
 #if OIT_MODE == OIT_MODE_DUAL
 layout(location = 0, index = 0) out highp vec4 oit_out;
@@ -17,6 +18,7 @@ layout(location = 16) uniform highp vec4 oit_shades[32];
 #endif
 vec3 oit_sum = vec3(0.0);
 OIT_THROUGH oit_through = OIT_THROUGH(1.0);
+uint oit_here = 0u; // the pixel
 
 bool oit_visible()
 {
@@ -67,10 +69,17 @@ vec4 oit_surface_color(uint slot, vec4 color)
     uint what = OIT_STEP.x;
     if ((what & 1u) != 0u)
         color.a = oit_value(OIT_BASE, slot);
+    float line = 0.0;
+#if OIT_CONTOURS
+    if ((what & 16u) != 0u)
+        line = oit_contour(oit_here, slot);
+    color.a += (1.0 - color.a) * line;
+#endif
     if ((what & 2u) != 0u)
         color.a = (1.0 - oit_halo(slot)) * (color.a + (1.0 - color.a) * oit_outline(slot));
     if ((what & 4u) != 0u)
         color.rgb *= oit_shade(oit_value(OIT_KAPPA, slot));
+    color.rgb = mix(color.rgb, oit_set[2].rgb, line);
     return color;
 }
 
@@ -119,6 +128,7 @@ void main()
     uint p = uint(where.y) * uint(oit_area.z) + uint(where.x), first, n = oit_list(p, first);
     if (n == 0u)
         discard;
+    oit_here = p;
     for (uint i = 0u; i < n && oit_visible(); ++i)
         oit_lay(first + i);
 #if OIT_KEEPS

@@ -9,9 +9,7 @@
 
 oit_side oit_look_toward(uint slot, uint direction)
 {
-    oit_side side = oit_look(slot);
-    side.predicted = oit_predict(side, direction);
-    return side;
+    return oit_toward(oit_look(slot), direction);
 }
 
 float oit_measure(oit_side side, uint slot)

@@ -62,7 +62,7 @@ void oit_move(inout oit_window w, float place)
 
 uint oit_choose(oit_side side, uint direction, inout oit_window w)
 {
-    side.predicted = oit_predict(side, direction);
+    side = oit_toward(side, direction);
     float place = side.predicted * oit_set[1].y, least = OIT_NEVER;
     oit_move(w, place);
     uint before = w.from - 1u, behind = w.from, best = OIT_NONE; // before: beyond the run when it has passed 0
@@ -75,7 +75,7 @@ uint oit_choose(oit_side side, uint direction, inout oit_window w)
         bool back = gap_before < gap_behind;
         float gap = back ? gap_before : gap_behind;
         uint i = back ? before : behind, at = back ? at_before : at_behind, next = back ? i - 1u : i + 1u;
-        on = gap <= OIT_LIMIT_APART && !(OIT_DEPTH_WEIGHT * gap > least) && i < w.count;
+        on = !(OIT_DEPTH_WEIGHT * gap > least) && i < w.count;
         if (on) {
             float measure = oit_may_join(side, at) ? oit_measure_by_depth(side, at, gap) : OIT_NEVER;
             bool better = measure < least || (measure == least && best != OIT_NONE && i < best);
@@ -92,8 +92,7 @@ uint oit_choose(oit_side side, uint direction, inout oit_window w)
             at_behind = back ? at_behind : at;
             gap_before = back ? gap : gap_before;
             gap_behind = back ? gap_behind : gap;
-            gap = min(gap_before, gap_behind);
-            on = gap <= OIT_LIMIT_APART && !(OIT_DEPTH_WEIGHT * gap > least);
+            on = !(OIT_DEPTH_WEIGHT * min(gap_before, gap_behind) > least);
         }
     } while (on);
     return best;

@@ -3,7 +3,11 @@
 // strength; and its depth. On the target as that was drawn, beside it from the mask's texels: their distances are
 // interpolated, their depths never.
 uniform highp sampler2D tr_see_depth; // of targets
+#if TR_IN_PARTS
+uniform highp sampler2D tr_see_bits; // which of eight pixels are a target's
+#else
 uniform highp sampler2D tr_see_mark;
+#endif
 #if TR_HAS_LOW
 uniform highp sampler2D tr_see_low; // distance, strength, active
 uniform highp sampler2D tr_see_low_depth;
@@ -45,7 +49,12 @@ highp float tr_distance_at(ivec2 pixel)
 void main()
 {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
+#if TR_IN_PARTS
+    int bits = int(texelFetch(tr_see_bits, ivec2(pixel.x >> 3, pixel.y), 0).r * 255.0 + 0.5);
+    highp vec2 mark = vec2(float((bits >> (pixel.x & 7)) & 1), 0.0);
+#else
     highp vec2 mark = texelFetch(tr_see_mark, pixel, 0).ab;
+#endif
     highp float opacity = tr_see_law.x, depth;
     if (mark.r > 0.0) {
         depth = texelFetch(tr_see_depth, pixel, 0).r;

@@ -6,19 +6,33 @@
 // at once, so that the next step reads them at once. TR_SPREAD 2: of the rows' the nearest, of equally near ones that
 // nearest to the eye. A texel stands for the middle of its pixels; twice the positions are integers. Steps go outward.
 uniform highp sampler2D tr_see_depth; // of targets
+#if TR_IN_PARTS
+uniform highp sampler2D tr_see_base;  // of all that never yields: the same where a target is open
+#else
 uniform highp sampler2D tr_see_mark;  // of targets: in alpha the strength, 0 where there is none; in blue 1 where active
+#endif
 #if TR_SPREAD != 0
 uniform highp sampler2D tr_see_rows; // the step before this one's
 #endif
 layout(location = 0) out highp vec4 tr_color;
 
 #if TR_SPREAD == 0
+bool tr_is_target(ivec2 pixel)
+{
+#if TR_IN_PARTS
+    highp float depth = texelFetch(tr_see_depth, pixel, 0).r;
+    return depth != TR_CLEAR_DEPTH && depth == texelFetch(tr_see_base, pixel, 0).r;
+#else
+    return texelFetch(tr_see_mark, pixel, 0).a > 0.0;
+#endif
+}
+
 void main()
 {
     ivec2 first = ivec2(int(gl_FragCoord.x) * 8, int(gl_FragCoord.y));
     int bits = 0, count = min(8, int(tr_viewport.z) - first.x);
     for (int i = 0; i < count; ++i)
-        bits |= texelFetch(tr_see_mark, first + ivec2(i, 0), 0).a > 0.0 ? 1 << i : 0;
+        bits |= tr_is_target(first + ivec2(i, 0)) ? 1 << i : 0;
     tr_color = vec4(float(bits) * (1.0 / 255.0));
 }
 #elif TR_SPREAD == 1
@@ -101,7 +115,11 @@ void main()
     gl_FragDepth = TR_CLEAR_DEPTH;
     if (nearest.x < 0)
         return;
+#if TR_IN_PARTS
+    tr_color = vec4(0.5 * sqrt(float(least)) / float(steps), 1.0, 0.0, 0.0);
+#else
     tr_color = vec4(0.5 * sqrt(float(least)) / float(steps), texelFetch(tr_see_mark, nearest, 0).ab, 0.0);
+#endif
     gl_FragDepth = texelFetch(tr_see_depth, nearest, 0).r;
 }
 #endif

@@ -16,7 +16,8 @@ typedef struct stage_unit {
     GLuint array, buffers[2];
 } stage_unit;
 
-typedef struct stage {
+typedef struct stage stage;
+struct stage {
     stage_unit units[STAGE_MOST];
     ref_object meshes[STAGE_MOST];
     ref_dyn_object marks[STAGE_MOST];
@@ -33,7 +34,9 @@ typedef struct stage {
     ref_dyn_pixel *pixels;
     double *weights;
     unsigned char *picture;
-} stage;
+    void (*spoil)(stage *s); /* NULL, or what is done to what the header is told */
+    bool srgb;               /* the target encodes what is drawn: colours are light */
+};
 
 /* ---- numbers ---- */
 
@@ -216,6 +219,8 @@ static inline void stage_tell(stage *s) {
         wish->view[k] = (float)s->scene.view[k];
         wish->projection[k] = (float)s->scene.projection[k];
     }
+    if (s->spoil)
+        s->spoil(s);
 }
 
 /* ---- drawing ---- */
@@ -350,6 +355,8 @@ static inline void stage_clear(harness *h, const stage *s, bool reversed) {
         glClearDepthf(reversed ? 0 : 1);
     else
         glClearDepth(reversed ? 0 : 1);
+    if (!h->context.es && s->srgb)
+        glEnable(GL_FRAMEBUFFER_SRGB);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(reversed ? GL_GREATER : GL_LESS);
@@ -365,6 +372,7 @@ static inline tr_result stage_draw(harness *h, stage *s, bool reversed) {
     stage_upload(s);
     stage_clear(h, s, reversed);
     s->frame.framebuffer = h->framebuffer;
+    s->frame.wishes.options = s->srgb ? (uint32_t)TR_WISH_SRGB : 0;
     memset(s->passes, 0, sizeof s->passes);
     memset(s->draws, 0, sizeof s->draws);
     tr_result result = tr_begin_dynamic(h->tr, &s->frame, &s->wish);
@@ -383,6 +391,17 @@ static inline tr_result stage_draw(harness *h, stage *s, bool reversed) {
     return tr_end(h->tr);
 }
 
+/* What a pixel of a colour holds, in 255ths; and back. */
+static inline double stage_encode(const stage *s, double light) {
+    double encoded = light > 0.0031308 ? 1.055 * pow(light, 1 / 2.4) - 0.055 : 12.92 * light;
+    return 255 * (s->srgb ? encoded : light);
+}
+
+static inline double stage_decode(const stage *s, double held) {
+    double encoded = held / 255, light = encoded > 0.04045 ? pow((encoded + 0.055) / 1.055, 2.4) : encoded / 12.92;
+    return s->srgb ? light : encoded;
+}
+
 static inline void stage_read(harness *h, stage *s) {
     free(s->picture);
     s->picture = malloc(4 * (size_t)s->scene.width * (size_t)s->scene.height);
@@ -390,6 +409,26 @@ static inline void stage_read(harness *h, stage *s) {
     glBindFramebuffer(GL_FRAMEBUFFER, h->framebuffer);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glReadPixels(s->frame.x, s->frame.y, s->scene.width, s->scene.height, GL_RGBA, GL_UNSIGNED_BYTE, s->picture);
+}
+
+/* The mean of so many frames, of dithering. */
+static inline tr_result stage_draw_mean(harness *h, stage *s, bool reversed, int frames) {
+    size_t values = 4 * (size_t)s->scene.width * (size_t)s->scene.height;
+    double *sum = calloc(values, sizeof *sum);
+    tr_result result = TR_OK;
+    assert_non_null(sum);
+    for (int f = 0; f < frames && result == TR_OK; ++f) {
+        s->wish.frame_index = (uint32_t)f;
+        result = stage_draw(h, s, reversed);
+        if (result == TR_OK)
+            stage_read(h, s);
+        for (size_t i = 0; i < values && result == TR_OK; ++i)
+            sum[i] += stage_decode(s, s->picture[i]) / frames;
+    }
+    for (size_t i = 0; i < values && result == TR_OK; ++i)
+        s->picture[i] = (unsigned char)(stage_encode(s, sum[i]) + 0.5);
+    free(sum);
+    return result;
 }
 
 static inline void stage_truth(stage *s) {
@@ -445,7 +484,7 @@ static inline stage_error stage_compare(const stage *s, double allowed) {
         if (s->pixels[i].left_out)
             continue;
         for (size_t c = 0; c < 3; ++c)
-            most = fmax(most, fabs(s->pixels[i].color[c] * 255 - s->picture[4 * i + c]));
+            most = fmax(most, fabs(stage_encode(s, s->pixels[i].color[c]) - s->picture[4 * i + c]));
         ++compared;
         e.mean += most;
         e.over += most > allowed;

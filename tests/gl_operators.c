@@ -346,11 +346,12 @@ static const char copy[] =
     "void oit_operate(uint p)\n{\n    uint first, n = oit_list(p, first);\n"
     "    for (uint i = 0u; i < n; ++i)\n"
     "        oit_set_value(OIT_HOST + 1u, first + i, 2.0 * oit_value(OIT_BASE, first + i));\n}\n";
-static const char law[] = "void oit_operate(uint p)\n{\n    uint first, n = oit_list(p, first);\n"
-                          "    for (uint i = 0u; i < n; ++i) {\n"
-                          "        vec3 at = oit_position(oit_device(p), oit_depth(first + i));\n"
-                          "        oit_set_value(OIT_BASE, first + i, 0.5 + 0.4 * sin(7.0 * at.x) * cos(5.0 * at.y));\n"
-                          "    }\n}\n";
+static const char host_law[] =
+    "void oit_operate(uint p)\n{\n    uint first, n = oit_list(p, first);\n"
+    "    for (uint i = 0u; i < n; ++i) {\n"
+    "        vec3 at = oit_position(oit_device(p), oit_depth(first + i));\n"
+    "        oit_set_value(OIT_BASE, first + i, 0.5 + 0.4 * sin(7.0 * at.x) * cos(5.0 * at.y));\n"
+    "    }\n}\n";
 static const char total[] = "layout(std430, binding = 6) buffer out_total { uint total[]; };\n"
                             "void oit_operate(uint p)\n{\n    uint first, n = oit_list(p, first);\n"
                             "    atomicAdd(total[0], n);\n    for (uint i = 0u; i < n; ++i)\n"
@@ -374,7 +375,7 @@ static void the_hosts_operators_do_as_they_say(void **state) {
         smart_stage t;
         smart_stage_open_wide(&t, es, WIDTH, HEIGHT, smart_truth_desc, ROOM);
         smart_truth_wavy(&t);
-        GLuint programs[4] = {smart_stage_program(t.set.oit, law), smart_stage_program(t.set.oit, diffusion),
+        GLuint programs[4] = {smart_stage_program(t.set.oit, host_law), smart_stage_program(t.set.oit, diffusion),
                               smart_stage_program(t.set.oit, copy), smart_stage_program(t.set.oit, total)};
         const oit_operator ops[] = {
             smart_truth_link(&t, OIT_LINK_DEPTH, OIT_SEARCH_WINDOWED), host_of(programs[0], 0, OIT_VALUE_BASE),
@@ -422,6 +423,41 @@ static void the_hosts_operators_do_as_they_say(void **state) {
             glDeleteProgram(programs[i]);
         smart_stage_close(&t);
     }
+}
+
+/* What is no number, or no opacity, does not get into the fields: 0, or the nearer end of [0,1]. */
+static void what_is_no_number_becomes_0(void **state) {
+    static const char once[] =
+        "void oit_operate(uint p)\n{\n    uint first, n = oit_list(p, first);\n"
+        "    float bad = uintBitsToFloat(p % 4u == 0u ? 0x7fc00000u : p % 4u == 1u ? 0xff800000u :\n"
+        "                                p % 4u == 2u ? 0xbf800000u : 0x7f000000u);\n"
+        "    for (uint i = 0u; i < n; ++i) {\n        oit_set_value(OIT_BASE, first + i, bad);\n"
+        "        oit_set_value(OIT_HOST, first + i, bad);\n    }\n}\n";
+    static const char again[] = "void oit_operate(uint p)\n{\n    uint first, n = oit_list(p, first);\n"
+                                "    for (uint i = 0u; i < n; ++i)\n        oit_set_after(first + i,\n"
+                                "            uintBitsToFloat(p % 2u == 0u ? 0x7fc00000u : 0x7f800000u));\n}\n";
+    static const double expected[4] = {0, 0, -1, 1.7014118346046923e38};
+    smart_stage t;
+    (void)state;
+    smart_stage_open_wide(&t, false, WIDTH, HEIGHT, smart_truth_desc, ROOM);
+    smart_truth_pipes(&t);
+    const oit_operator ops[2] = {host_of(smart_stage_program(t.set.oit, once), 0, OIT_VALUE_BASE),
+                                 host_of(smart_stage_program(t.set.oit, again), 2, OIT_VALUE_HOST + 1)};
+    ref_smart_image image;
+    float *picture = smart_stage_frame(&t, ops, 2, NULL, &image);
+    SMART_TRUTH_EACH(&image, x, y, i, f) {
+        const smart_stage_row *row = &t.rows[f - image.fragments];
+        int which = (y * WIDTH + x) % 4;
+        assert_true(f->base == (which == 3 ? 1 : 0));
+        assert_true((double)row->host[0] == expected[which] && row->host[1] == 0);
+    }
+    for (int k = 0; k < 4 * WIDTH * HEIGHT; ++k)
+        assert_true(picture[k] >= 0 && picture[k] <= 1);
+    free(picture);
+    smart_stage_drop(&image);
+    for (int i = 0; i < 2; ++i)
+        glDeleteProgram(ops[i].host.program);
+    smart_stage_close(&t);
 }
 
 /* ---- curvature ---- */
@@ -693,6 +729,27 @@ static void every_store_makes_the_picture_of_the_truth(void **state) {
     }
 }
 
+/* The three nearest of each pixel, the others in the tail: fields are those of what is kept. */
+static void a_budget_has_the_fields_of_what_it_keeps(void **state) {
+    (void)state;
+    for (int i = 0; i < 2; ++i) {
+        smart_stage t;
+        oit_desc desc = smart_truth_desc;
+        oit_operator law = smart_truth_law(OIT_LAW_ADAPTIVE, 0.4f), smart = smart_truth_smart(9, 0.08f);
+        oit_report report = {0};
+        desc.store = i ? OIT_STORE_BUCKETED : OIT_STORE_BUDGET;
+        desc.layers = 3;
+        smart_stage_open_wide(&t, false, WIDTH, HEIGHT, desc, ROOM);
+        smart_truth_wavy(&t);
+        smart_truth_errors e = smart_truth_frame(&t, &law.law, &smart.smart);
+        oit_scene_expect(oit_get_report(t.set.oit, &report), "oit_get_report");
+        assert_true(e.base <= 1e-4 && e.beta <= 1e-4 && e.gamma <= 1e-4 && e.fragments <= 3 * WIDTH * HEIGHT);
+        assert_true(report.lost > 1000 && isfinite(e.picture) &&
+                    e.picture > 1e-3); /* there is a tail, and it is seen */
+        smart_stage_close(&t);
+    }
+}
+
 /* Reversed depth with [0,1] clip depth; premultiplied colours and 10 bits of them. */
 static void conventions_make_the_picture_of_the_truth(void **state) {
     (void)state;
@@ -848,11 +905,13 @@ int main(void) {
         cmocka_unit_test(laws_are_those_of_the_truth),
         cmocka_unit_test(laws_keep_0_and_1),
         cmocka_unit_test(the_hosts_operators_do_as_they_say),
+        cmocka_unit_test(what_is_no_number_becomes_0),
         cmocka_unit_test(curvature_is_that_of_the_truth),
         cmocka_unit_test(curvature_is_that_of_closed_forms),
         cmocka_unit_test(transfer_functions_are_looked_up),
         cmocka_unit_test(presets_are_as_they_are_described),
         cmocka_unit_test(every_store_makes_the_picture_of_the_truth),
+        cmocka_unit_test(a_budget_has_the_fields_of_what_it_keeps),
         cmocka_unit_test(conventions_make_the_picture_of_the_truth),
         cmocka_unit_test(who_sets_the_state_changes_no_bit),
         cmocka_unit_test(draw_order_changes_no_bit),

@@ -849,12 +849,13 @@ static void draw_scene_alone(harness *h, tr_frame frame, tr_see see) {
     glBindVertexArray(0);
 }
 
-static void run_dynamic(harness *h, const tr_frame *frame, tr_see see) {
+static void run_dynamic(harness *h, const tr_frame *frame, tr_see see, bool in_parts) {
     tr_unit units[3];
     tr_dynamic d = dynamic_wish(see, units);
     tr_pass pass;
     tr_hidden hidden[4];
     size_t count;
+    d.in_parts = in_parts;
     assert_int_equal(tr_begin_dynamic(h->tr, frame, &d), TR_OK);
     assert_int_equal(tr_get_info(h->tr).see_plan->see, frame->height ? see : TR_SEE_OFF);
     while (tr_next_pass(h->tr, &pass))
@@ -889,7 +890,7 @@ static void check_dynamic_restore(int gl_version, bool es) {
             frame.height = other_sizes[round / 4 % 3][1];
         }
         snapshot before = take_snapshot();
-        run_dynamic(&h, &frame, see);
+        run_dynamic(&h, &frame, see, other); /* other pictures, of which the state alone is looked at */
         snapshot after = take_snapshot();
         compare_snapshots(&before, &after);
         h.quiet = true;

@@ -15,6 +15,8 @@ static struct {
     int fail_framebuffer; /* the n-th check of completeness fails; 0: none */
     uint32_t refused_framebuffer, refused_texture, other_texture; /* other_texture: one that is not 2D */
     int width, height;                                            /* of the host's textures */
+    int depth_bits;                                               /* of the target */
+    uint32_t color_buffer, component_type;                        /* its first draw buffer, and what is in all of its */
     int framebuffer_checks, samples, max_texture_size;
     int live[7];           /* textures, framebuffers, buffers, vertex arrays, shaders, programs, fences */
     bool signalled;        /* fences are, as soon as they are made */
@@ -37,6 +39,9 @@ static void reset_driver(void) {
     memset(&driver, 0, sizeof driver);
     driver.version = "4.5.0 Mock";
     driver.max_texture_size = 16384;
+    driver.depth_bits = 24;
+    driver.color_buffer = 0x8CE0u;
+    driver.component_type = 0x8C17u;
 }
 
 static void note(const char *name) {
@@ -103,6 +108,8 @@ FAKE(BlendEquationSeparate, (U a, U b), (void)a; (void)b;)
 FAKE(BlendEquationSeparatei, (U a, U b, U c), (void)a; (void)b; (void)c;)
 FAKE(BlendFuncSeparate, (U a, U b, U c, U d), (void)a; (void)b; (void)c; (void)d;)
 FAKE(BlendFuncSeparatei, (U a, U b, U c, U d, U e), (void)a; (void)b; (void)c; (void)d; (void)e;)
+FAKE(BlitFramebuffer, (I a, I b, I c, I d, I e, I f, I g, I h, U i, U j), (void)a; (void)b; (void)c; (void)d; (void)e;
+     (void)f; (void)g; (void)h; (void)i; (void)j;)
 FAKE(BufferData, (U a, ptrdiff_t b, const void *c, U d), (void)a; (void)b; (void)c; (void)d;)
 FAKE(BufferSubData, (U a, ptrdiff_t b, ptrdiff_t c, const void *d), (void)a; (void)b; (void)c; (void)d;)
 FAKE(ClearBufferfv, (U a, I b, const float *c), (void)a; (void)b; (void)c;)
@@ -132,7 +139,7 @@ FAKE(DrawBuffers, (I a, const U *b), (void)a; (void)b;)
 FAKE(Enable, (U a), (void)a;)
 FAKE(Enablei, (U a, U b), (void)a; (void)b;)
 FAKE(FramebufferTexture2D, (U a, U b, U c, U d, I e), (void)a; (void)c; (void)e;
-     driver.attachments[driver.bound_framebuffer & 255][b == 0x8D00u ? 0 : b - 0x8CDFu] = d;)
+     driver.attachments[driver.bound_framebuffer & 255][b == 0x8D00u || b == 0x821Au ? 0 : b - 0x8CDFu] = d;)
 FAKE(FramebufferTextureLayer, (U a, U b, U c, I d, I e), (void)a; (void)d; (void)e;
      driver.attachments[driver.bound_framebuffer & 255][b == 0x8D00u ? 0 : b - 0x8CDFu] = c;)
 FAKE(FrontFace, (U a), (void)a;)
@@ -143,6 +150,14 @@ FAKE(GenVertexArrays, (I a, U *b), generate(ARRAYS, a, b);)
 FAKE(GetBooleanv, (U a, B *b), (void)a; memset(b, 1, 4);)
 FAKE(GetBooleani_v, (U a, U b, B *c), (void)a; (void)b; memset(c, 1, 4);)
 FAKE(GetFloatv, (U a, float *b), (void)a; b[0] = 0; b[1] = 1;)
+/* Of a target of so many bits of depth, and 8 of stencil in the same texture. */
+FAKE(GetFramebufferAttachmentParameteriv, (U a, U b, U c, I *d), (void)a; (void)b;
+     *d = c == 0x8CD0u   ? (driver.depth_bits || b == driver.color_buffer ? 0x1702 : 0)
+          : c == 0x8216u ? driver.depth_bits
+          : c == 0x8217u ? 8
+          : c == 0x8210u ? 0x2601
+          : c == 0x8211u ? (I)driver.component_type
+                         : 1;)
 FAKE(GetTexLevelParameteriv, (U a, I b, U c, I *d), (void)a; (void)b; *d = c == 0x1000u ? driver.width : driver.height;)
 FAKE(GetInteger64i_v, (U a, U b, int64_t *c), (void)a; (void)b; *c = 0;)
 FAKE(GetIntegeri_v, (U a, U b, I *c), (void)a; (void)b; *c = 0;)
@@ -210,6 +225,9 @@ static void fake_GetIntegerv(U what, I *out) {
     case 0x0D32u:
         *out = 8;
         break; /* clip distances */
+    case 0x8825u:
+        *out = (I)driver.color_buffer;
+        break;
     case 0x80A9u:
         *out = driver.samples;
         break;

@@ -316,6 +316,195 @@ static void targets_apart_are_one_batch(void **state) {
     }
 }
 
+/* ---- a scene in parts ---- */
+
+/* A frame of it: each unit is drawn in one part and no other. The number of parts. */
+static int run_parts(tr_context *tr, setting *s, drawn *all) {
+    tr_pass pass;
+    int times[UNITS] = {0}, parts = 0;
+    memset(all, 0, sizeof *all);
+    s->dynamic.units = s->units;
+    assert_int_equal(tr_begin_dynamic(tr, &s->frame, &s->dynamic), TR_OK);
+    while (tr_next_pass(tr, &pass)) {
+        check_units();
+        ++all->kinds[pass.kind];
+        all->units[pass.kind] += pass.unit_count;
+        parts += pass.kind == TR_PASS_SCENE;
+        for (size_t i = 0; pass.kind == TR_PASS_SCENE && i < pass.unit_count; ++i)
+            ++times[pass.units[i]];
+        if (pass.kind == TR_PASS_SCENE && pass.rule == TR_RULE_SEE_DITHER)
+            assert_true(pass.unit_count == 1 && pass.units[0] == TREE);
+    }
+    assert_int_equal(tr_end(tr), TR_OK);
+    for (int i = 0; i < UNITS; ++i)
+        assert_int_equal(times[i], 1);
+    return parts;
+}
+
+/* Targets, what closes masks, all else; a copy where something is to be known of what is there; and nothing twice. */
+static void parts_are_those_called_for(void **state) {
+    (void)state;
+    for (int see = TR_SEE_ONE_MASK; see <= TR_SEE_DITHER; ++see) {
+        tr_context *tr = open_context(TR_STATE_RESTORE, NULL);
+        setting s = make_setting();
+        drawn d;
+        int color = see == TR_SEE_ONE_MASK, first = driver.call_count;
+        s.dynamic.see = (tr_see)see;
+        s.dynamic.in_parts = 1;
+        assert_int_equal(run_parts(tr, &s, &d), 3);
+        assert_int_equal(called_since(first, "BlitFramebuffer"), 2 + color);
+        assert_int_equal(d.kinds[TR_PASS_TARGETS] + d.kinds[TR_PASS_BLOCK] + d.kinds[TR_PASS_BEHIND], 0);
+        assert_true(tr_get_info(tr).see_plan->in_parts && !tr_get_info(tr).see_plan->parts_why);
+        s.units[GROUND].flags = 0;
+        s.units[GROUND].radius = 5; /* wholly behind the target */
+        first = driver.call_count;
+        assert_int_equal(run_parts(tr, &s, &d), color ? 2 : 3); /* dither: the tree's holes, and the ground without */
+        assert_int_equal(called_since(first, "BlitFramebuffer"), 1 + color);
+        assert_int_equal(d.units[TR_PASS_BEHIND], color);
+        s.units[GROUND].flags = TR_UNIT_BACKDROP;
+        s.units[TARGET].fade = 0.5f; /* depth does not tell that */
+        first = driver.call_count;
+        assert_int_equal(run_parts(tr, &s, &d), 3);
+        assert_int_equal(called_since(first, "BlitFramebuffer"), 1 + color);
+        assert_int_equal(d.units[TR_PASS_TARGETS], 1);
+        tr_destroy(tr);
+        assert_nothing_left();
+    }
+}
+
+/* Two targets far apart, each between a tree and a rock: what shows through is drawn in two regions, each with its own. */
+static void regions_draw_what_they_meet(void **state) {
+    (void)state;
+    for (int in_parts = 0; in_parts < 2; ++in_parts) {
+        tr_context *tr = open_context(TR_STATE_RESTORE, NULL);
+        setting s = make_setting();
+        tr_unit many[6];
+        tr_pass pass;
+        int regions = 0, right = 0;
+        for (int i = 0; i < 6; ++i) {
+            many[i] = s.units[i % 3];
+            many[i].id = (uint32_t)i + 1;
+            many[i].flags = i % 3 == TARGET ? TR_UNIT_TARGET : 0;
+            many[i].radius = 0.5f;
+            many[i].center[0] = -0.5f * many[i].center[2] * (i < 3 ? -1.0f : 1.0f);
+            many[i].center[1] = 0.3f * many[i].center[2] * (i < 3 ? -1.0f : 1.0f);
+        }
+        s.dynamic.units = many;
+        s.dynamic.unit_count = 6;
+        s.dynamic.in_parts = in_parts;
+        assert_int_equal(tr_begin_dynamic(tr, &s.frame, &s.dynamic), TR_OK);
+        while (tr_next_pass(tr, &pass)) {
+            if (pass.kind != TR_PASS_BEHIND)
+                continue;
+            ++regions;
+            assert_true(pass.unit_count == 1 && pass.units[0] % 3 == GROUND);
+            right += pass.units[0] == 5;
+            /* The right one is on the right, and neither covers what lies between. */
+            assert_true(pass.units[0] == 5 ? pass.state.scissor[0] > 320
+                                           : pass.state.scissor[0] + pass.state.scissor[2] < 320);
+        }
+        assert_int_equal(tr_end(tr), TR_OK);
+        assert_int_equal(regions, 2);
+        assert_int_equal(right, 1);
+        assert_int_equal(times_of(tr, TR_PASS_BEHIND), 2);
+        tr_destroy(tr);
+        assert_nothing_left();
+    }
+}
+
+static void sample_the_target(setting *s) {
+    (void)s;
+    driver.samples = 4;
+}
+static void have_no_depth(setting *s) {
+    (void)s;
+    driver.depth_bits = 0;
+}
+static void have_odd_depth(setting *s) {
+    (void)s;
+    driver.depth_bits = 20;
+}
+static void draw_integers(setting *s) {
+    (void)s;
+    driver.component_type = 0x1405u;
+}
+static void draw_nothing(setting *s) {
+    (void)s;
+    driver.color_buffer = 0;
+}
+static void encode(setting *s) {
+    s->frame.wishes.options = TR_WISH_SRGB;
+}
+static void paint_in_order(setting *s) {
+    s->dynamic.see = TR_SEE_SEQUENCE;
+}
+
+/* What cannot be copied: the scene comes whole, and the plan says why. */
+static void what_cannot_be_copied_comes_whole(void **state) {
+    static void (*const changes[])(setting *) = {sample_the_target, have_no_depth, have_odd_depth, draw_integers,
+                                                 draw_nothing,      encode,        paint_in_order, NULL};
+    (void)state;
+    for (size_t i = 0; i < sizeof changes / sizeof changes[0]; ++i) {
+        tr_context *tr = open_context(changes[i] ? TR_STATE_RESTORE : TR_STATE_NONE, NULL);
+        setting s = make_setting();
+        char text[2048];
+        s.dynamic.in_parts = 1;
+        if (changes[i])
+            changes[i](&s);
+        drawn d = run_dynamic(tr, &s);
+        const tr_see_plan *plan = tr_get_info(tr).see_plan;
+        assert_true(!plan->in_parts && plan->parts_why);
+        assert_int_equal(d.kinds[TR_PASS_SCENE], 1);
+        assert_int_equal(called_since(0, "BlitFramebuffer"), 0);
+        tr_see_plan_print(plan, text, sizeof text);
+        assert_non_null(strstr(text, plan->parts_why));
+        tr_destroy(tr);
+        assert_nothing_left();
+    }
+}
+
+static void parts_of_plain_drawing_call_nothing(void **state) {
+    (void)state;
+    for (size_t i = 0; i < sizeof plain_changes / sizeof plain_changes[0]; ++i) {
+        tr_context *tr = open_context(TR_STATE_RESTORE, NULL);
+        setting s = make_setting();
+        s.dynamic.in_parts = 1;
+        plain_changes[i](&s);
+        drawn d = run_dynamic(tr, &s);
+        assert_int_equal(d.calls, 0);
+        assert_int_equal(d.units[TR_PASS_SCENE], s.dynamic.unit_count);
+        assert_null(tr_get_info(tr).see_plan->parts_why);
+        tr_destroy(tr);
+        assert_nothing_left();
+    }
+}
+
+/* Copies are of the target's format: another one makes new textures, the same one none. */
+static void bytes_of_parts(void **state) {
+    (void)state;
+    for (int see = TR_SEE_ONE_MASK; see <= TR_SEE_DITHER; ++see) {
+        tr_context *tr = open_context(TR_STATE_RESTORE, NULL);
+        setting s = make_setting();
+        s.dynamic.see = (tr_see)see;
+        s.dynamic.in_parts = 1;
+        s.units[TREE].importance = -1;
+        for (int bits = 24; bits >= 0; bits -= 24) { /* without depth to copy: as ever */
+            uint64_t w = 640, h = 480, low = 4 * (w / 4) * (h / 4) + 8 * (w / 4) * (h / 4), bytes = w * h / 8 + low;
+            driver.depth_bits = bits;
+            run_dynamic(tr, &s);
+            int first = driver.call_count;
+            run_dynamic(tr, &s);
+            assert_int_equal(called_since(first, "TexImage2D"), 0);
+            bytes += bits == 0                ? (see == TR_SEE_ONE_MASK ? 14u : 14u) * w * h
+                     : see == TR_SEE_ONE_MASK ? (8u + 6u) * w * h /* two copies of depth, mask; colour */ + 4 * w * h
+                                              : (8u + 6u) * w * h;
+            assert_int_equal(tr_get_info(tr).see_plan->bytes, bytes);
+        }
+        tr_destroy(tr);
+        assert_nothing_left();
+    }
+}
+
 /* ---- bytes ---- */
 
 static void bytes_are_those_of_the_plan(void **state) {
@@ -396,6 +585,7 @@ static void steady_frames_create_nothing(void **state) {
                 driver.mapped = texels;
                 s.dynamic.see = (tr_see)see;
                 s.dynamic.query = see <= TR_SEE_DITHER;
+                s.dynamic.in_parts = version & 1;
                 run_dynamic(tr, &s);
                 int first = driver.call_count, heap = blocks_left;
                 for (int i = 0; i < 6; ++i) {
@@ -653,34 +843,51 @@ static void odd_units_are_drawn(void **state) {
         }
 }
 
+/* Targets that passes ask for, of many units. */
+static size_t count_targets(tr_context *tr, setting *s, tr_see see) {
+    tr_pass pass;
+    size_t targets = 0;
+    s->dynamic.see = see;
+    assert_int_equal(tr_begin_dynamic(tr, &s->frame, &s->dynamic), TR_OK);
+    while (driver.call_count = 0, tr_next_pass(tr, &pass)) /* there are more calls than the driver keeps */
+        targets += pass.kind == TR_PASS_TARGETS || pass.kind == TR_PASS_SEEDS ? pass.unit_count : 0;
+    assert_int_equal(tr_end(tr), TR_OK);
+    return targets;
+}
+
+/* A thousand of them targets; in sequences, which have passes for each run of masks and each batch before them, twenty, and
+ * most of the others are behind all. The exact rung tells units apart by ids of 16 bits and refuses so many. */
 static void hundred_thousand_units(void **state) {
     enum { COUNT = 100000 };
     tr_unit *many = calloc(COUNT, sizeof *many);
-    tr_context *tr = open_context(TR_STATE_RESTORE, NULL);
-    setting s = make_setting();
-    tr_pass pass;
-    size_t targets = 0;
     (void)state;
-    for (int i = 0; i < COUNT; ++i) {
-        bool target = i % 100 == 0;
-        many[i] = s.units[target ? TARGET : TREE];
-        many[i].id = target ? (uint32_t)i / 100 + 1 : 0;
-        many[i].center[0] = (float)(i % 251) * 0.1f - 12.5f;
-        many[i].center[1] = (float)(i % 173) * 0.1f - 8.6f;
-        many[i].center[2] -= (float)(i % 7);
-        if (i % 1000 == 1) /* everywhere */
-            many[i].radius = one_nan();
+    for (int see = TR_SEE_ONE_MASK; see <= TR_SEE_PUBLISHED; ++see) {
+        tr_context *tr = open_context(TR_STATE_RESTORE, NULL);
+        setting s = make_setting();
+        int step = see <= TR_SEE_DITHER ? 100 : 5000;
+        for (int i = 0; i < COUNT; ++i) {
+            many[i] = s.units[i % step == 0 ? TARGET : TREE];
+            many[i].id = i % step == 0 ? (uint32_t)(i / step) + 1 : 0;
+            many[i].center[0] = (float)(i % 251) * 0.1f - 12.5f;
+            many[i].center[1] = (float)(i % 173) * 0.1f - 8.6f;
+            many[i].center[2] -= (float)(i % 7) + (step > 100 && i % step > 20 ? 200.0f : 0.0f);
+            if (i % (10 * step) == 1) /* everywhere */
+                many[i].radius = one_nan();
+        }
+        s.dynamic.units = many;
+        s.dynamic.unit_count = COUNT;
+        s.dynamic.see = (tr_see)see;
+        if (see == TR_SEE_EXACT) {
+            assert_int_equal(tr_begin_dynamic(tr, &s.frame, &s.dynamic), TR_INVALID_ARGUMENT);
+            assert_non_null(strstr(driver.text, "id"));
+        } else {
+            size_t targets = count_targets(tr, &s, (tr_see)see);
+            assert_true(targets > (size_t)(COUNT / step / 10) && targets <= (size_t)(COUNT / step));
+        }
+        tr_destroy(tr);
+        assert_nothing_left();
     }
-    s.dynamic.units = many;
-    s.dynamic.unit_count = COUNT;
-    assert_int_equal(tr_begin_dynamic(tr, &s.frame, &s.dynamic), TR_OK);
-    while (tr_next_pass(tr, &pass))
-        targets += pass.kind == TR_PASS_TARGETS ? pass.unit_count : 0;
-    assert_int_equal(tr_end(tr), TR_OK);
-    assert_true(targets > 100 && targets <= 1000);
-    tr_destroy(tr);
     free(many);
-    assert_nothing_left();
 }
 
 /* What a rung cannot do it refuses by name. */
@@ -787,6 +994,33 @@ static void failures_of_sequences_leave_nothing(void **state) {
                 assert_nothing_left();
             }
         }
+}
+
+/* Masks of bytes where the driver refuses floats or the host wants none: in the first frame already the plan says so, and
+ * counts them. */
+static void bytes_where_floats_are_not_had(void **state) {
+    (void)state;
+    for (int see = TR_SEE_EXACT; see <= TR_SEE_PUBLISHED; ++see) {
+        uint64_t bytes[3];
+        for (int how = 0; how < 3; ++how) {
+            tr_desc desc = make_desc(TR_STATE_RESTORE);
+            setting s = make_setting();
+            s.dynamic.see = (tr_see)see;
+            desc.eight_bits = how == 2;
+            reset_driver();
+            tr_context *tr = tr_create(&desc, NULL);
+            assert_non_null(tr);
+            driver.fail_framebuffer = how == 1 ? 2 : 0; /* the first of ours */
+            run_dynamic(tr, &s);
+            driver.fail_framebuffer = 0;
+            assert_int_equal(seen(tr), see);
+            assert_true((strstr(tr_get_info(tr).see_plan->why, "8 bits") != NULL) == (how > 0));
+            bytes[how] = tr_get_info(tr).see_plan->bytes;
+            tr_destroy(tr);
+            assert_nothing_left();
+        }
+        assert_true(bytes[1] < bytes[0] && bytes[2] == bytes[1]);
+    }
 }
 
 /* The context is lost at each call in turn: no crash, no endless loop, nothing of ours on the heap afterwards. */
@@ -951,6 +1185,11 @@ static void plans_are_printed(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(plain_drawing_calls_nothing),
+        cmocka_unit_test(parts_are_those_called_for),
+        cmocka_unit_test(regions_draw_what_they_meet),
+        cmocka_unit_test(what_cannot_be_copied_comes_whole),
+        cmocka_unit_test(parts_of_plain_drawing_call_nothing),
+        cmocka_unit_test(bytes_of_parts),
         cmocka_unit_test(plain_drawing_creates_nothing),
         cmocka_unit_test(an_empty_viewport_draws_nothing),
         cmocka_unit_test(passes_are_those_called_for),
@@ -968,6 +1207,7 @@ int main(void) {
         cmocka_unit_test(rungs_say_what_they_cannot),
         cmocka_unit_test(failures_leave_nothing),
         cmocka_unit_test(failures_of_sequences_leave_nothing),
+        cmocka_unit_test(bytes_where_floats_are_not_had),
         cmocka_unit_test(contexts_may_be_lost_anywhere),
         cmocka_unit_test(no_state_calls_where_the_host_makes_them),
         cmocka_unit_test(the_scene_is_the_hosts),

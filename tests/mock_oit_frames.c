@@ -55,6 +55,9 @@ static struct {
     const char *calls[MAX_CALLS];
     int call_count;
     int violations;
+    bool quiet;                     /* violations are provoked now */
+    long barriers, dropped_barrier; /* the n-th barrier does nothing; 0: none */
+    long operators[2];              /* those before the first operator, and up to the composition */
     char text[8192];
 } driver;
 
@@ -62,7 +65,7 @@ static bool allocation_fails;
 static int allocations;
 
 static void violate(const char *what, uint32_t buffer) {
-    if (driver.violations++ < 8)
+    if (driver.violations++ < 8 && !driver.quiet)
         print_message("    violation: %s, buffer %u\n", what, buffer);
 }
 
@@ -311,6 +314,8 @@ static void fake_GetBufferParameteri64v(U target, U what, int64_t *value) {
 
 static void fake_MemoryBarrier(U bits) {
     note("MemoryBarrier");
+    if (++driver.barriers == driver.dropped_barrier)
+        return;
     for (U i = 1; i <= driver.next_name; ++i) {
         if (bits & 0x2000u)
             driver.buffers[i].unseen_writes = driver.buffers[i].unseen_reads = false;
@@ -1228,44 +1233,102 @@ static U host_operator(const oit_context *oit) {
     return program;
 }
 
-/* Each kind, with what makes its passes differ. Jumps, published and diffusion are seen by run & 3. */
-static oit_operator operators_of(int kind, int run, U program) {
-    oit_operator op = {.kind = (oit_run_kind)kind};
-    op.link.search = (oit_search)(run % 3);
-    op.link.criterion = run == 3 ? OIT_LINK_PUBLISHED : OIT_LINK_DEPTH;
-    op.law.kind = (oit_law_kind)(run % 5);
-    op.smart.jumps = run & 1;
-    op.smart.until_stable = run & 1;
-    op.smart.thin = run & 2 ? 0.5f : 0.0f;
-    op.smart.published = run == 2;
-    op.smart.beta.process = run == 3 ? OIT_PROCESS_DIFFUSION : OIT_PROCESS_DEFAULT;
-    op.curvature.shade = run & 1 ? OIT_SHADE_CONVEX : OIT_SHADE_NONE;
-    op.curvature.opacity = run & 2 ? OIT_OPACITY_FRONT : OIT_OPACITY_NONE;
+static const float mock_shades[3 * OIT_TRANSFER_SHADES], mock_opacities[OIT_TRANSFER_CURVATURES * OIT_TRANSFER_DEPTHS];
+
+/* What makes the passes of an operator differ, and what they read and write. Other tests name the first two. */
+typedef struct variant {
+    const char *name;
+    oit_link link;
+    oit_law law;
+    oit_smart smart;
+    oit_curvature curvature;
+    int host_iterations, host_value;
+    int distance; /* 1: the law of distance after all else */
+} variant;
+enum {
+    PLAIN,
+    JUMPING,
+    BUCKETED,
+    BRUTE,
+    ONE_SIDED,
+    PUBLISHED,
+    THIN,
+    DIFFUSED,
+    STILL,
+    BASE_ALONE,
+    LOCAL_BASE,
+    LOCAL_FIELD,
+    CONTOURS
+};
+
+static const variant variants[] = {
+    {.name = "plain"},
+    {.name = "jumps", .smart = {.jumps = 1}, .host_iterations = 1, .host_value = OIT_VALUE_HOST},
+    {.name = "buckets", .link = {.search = OIT_SEARCH_BUCKETS, .count_pairs = 1}, .law = {.kind = OIT_LAW_ADAPTIVE}},
+    {.name = "all pairs", .link = {.search = OIT_SEARCH_BRUTE}, .law = {.kind = OIT_LAW_CONSTANT}},
+    {.name = "one-sided", .link = {.no_reverse_check = 1}, .law = {.kind = OIT_LAW_VARIATION}},
+    {.name = "published", .link = {.criterion = OIT_LINK_PUBLISHED}, .smart = {.published = 1}},
+    {.name = "thin", .smart = {.thin = 0.5f}, .law = {.kind = OIT_LAW_VARIATION}},
+    {.name = "beta diffused", .smart = {.beta = {.process = OIT_PROCESS_DIFFUSION}}},
+    {.name = "no steps",
+     .smart = {.base = {.iterations = -1}, .beta = {.iterations = -1}, .gamma = {.iterations = -1}}},
+    {.name = "base alone", .smart = {.beta = {.iterations = -1}, .gamma = {.iterations = -1}}},
+    {.name = "base by the host", .host_iterations = 3, .host_value = OIT_VALUE_BASE},
+    {.name = "a field by the host", .host_iterations = 3, .host_value = OIT_VALUE_HOST},
+    {.name = "contours", .curvature = {.contours = OIT_CONTOURS_SUGGESTIVE}},
+    {.name = "until stable", .smart = {.jumps = 1, .until_stable = 1}, .distance = 1},
+    {.name = "thin, jumps", .smart = {.jumps = 1, .thin = 0.2f}, .law = {.kind = OIT_LAW_ADAPTIVE}},
+    {.name = "gamma diffused", .smart = {.gamma = {.process = OIT_PROCESS_DIFFUSION}}, .distance = 1},
+    {.name = "all diffused, published",
+     .smart = {.published = 1,
+               .beta = {.process = OIT_PROCESS_DIFFUSION, .iterations = 3},
+               .gamma = {.process = OIT_PROCESS_DIFFUSION, .iterations = 5}}},
+    {.name = "all diffused, jumps",
+     .smart = {.jumps = 1, .beta = {.process = OIT_PROCESS_DIFFUSION}, .gamma = {.process = OIT_PROCESS_DIFFUSION}}},
+    {.name = "Murray", .link = {.criterion = OIT_LINK_MURRAY, .search = OIT_SEARCH_BUCKETS}, .distance = 1},
+    {.name = "shade", .curvature = {.shade = OIT_SHADE_CONVEX}},
+    {.name = "opacity", .curvature = {.opacity = OIT_OPACITY_FRONT}, .host_value = OIT_VALUE_BASE},
+    {.name = "tables",
+     .curvature = {.unit = 0.5f, .shades = mock_shades, .opacities = mock_opacities},
+     .host_iterations = 2,
+     .host_value = OIT_VALUE_BASE},
+};
+enum { VARIANTS = sizeof variants / sizeof variants[0] };
+
+static oit_operator operator_of(int kind, int which, U program) {
+    const variant *v = &variants[which];
+    oit_operator op = {.kind = (oit_run_kind)kind, .link = v->link, .law = v->law, .smart = v->smart};
+    op.curvature = v->curvature;
     op.host.program = program;
-    op.host.iterations = run;
-    op.host.value = run & 1 ? OIT_VALUE_HOST : OIT_VALUE_BASE;
+    op.host.iterations = v->host_iterations;
+    op.host.value = v->host_value;
     return op;
 }
 
 /* A frame with an operator of each of the kinds whose bits are set. counts: passes of each kind. */
-static oit_result operate_frame(oit_context *oit, unsigned kinds, int run, U program, int counts[OIT_PASS_KIND_COUNT]) {
+static oit_result operate_frame(oit_context *oit, unsigned kinds, int which, U program,
+                                int counts[OIT_PASS_KIND_COUNT]) {
     oit_frame f = frame_with_projection();
     int ignored = 0;
     oit_result result = oit_begin(oit, &f), end;
     if (result != OIT_OK)
         return result;
     draw_passes(oit, &ignored);
-    for (int kind = 0; kind < 5 && result == OIT_OK; ++kind) {
-        oit_operator op = operators_of(kind, run, program);
+    driver.operators[0] = driver.barriers;
+    for (int kind = 0; kind < 6 && result == OIT_OK; ++kind) {
+        oit_operator op = operator_of(kind < 5 ? kind : OIT_RUN_LAW, which, program);
         int first = driver.call_count;
-        if (!(kinds >> kind & 1u))
+        if (!(kinds >> kind & 1u) || (kind == 5 && !variants[which].distance))
             continue;
+        if (kind == 5)
+            op.law.kind = OIT_LAW_DISTANCE;
         result = oit_run(oit, &op);
         if (result == OIT_OK && oit->desc.state == OIT_STATE_NONE)
             draw_passes(oit, &ignored);
         if (counts)
             counts[OIT_PASS_OPERATE] += called_since(first, "DispatchCompute");
     }
+    driver.operators[1] = driver.barriers + 1;
     end = oit_compose(oit);
     if (oit->desc.state == OIT_STATE_NONE)
         draw_passes(oit, &ignored);
@@ -1280,29 +1343,80 @@ static const oit_desc operator_descs[] = {
     {.fit = OIT_FIT_ASYNC, .state = OIT_STATE_NONE, .operators = OIT_OPERATE_ALL, .operator_fields = 1},
     {.fit = OIT_FIT_WAIT, .store = OIT_STORE_BUDGET, .layers = 5, .operators = OIT_OPERATE_ALL, .operator_fields = 1},
     {.fit = OIT_FIT_WAIT, .store = OIT_STORE_BUCKETED, .layers = 5, .operators = OIT_OPERATE_ALL, .operator_fields = 1},
+    {.fit = OIT_FIT_ASYNC, .store = OIT_STORE_PREDICT, .operators = OIT_OPERATE_ALL, .operator_fields = 1},
+    {.fit = OIT_FIT_ASYNC, .store = OIT_STORE_LINKED, .operators = OIT_OPERATE_ALL, .operator_fields = 1},
 };
 enum { OPERATOR_DESCS = sizeof operator_descs / sizeof operator_descs[0] };
 
-/* tear_down fails where a barrier was missing. Deep pixels make the links wide. */
+enum { EVERY_KIND = 63 }; /* a bit each, and the last that of the law of distance */
+
+/* tear_down fails where a barrier was missing. Deep pixels make the links wide. Nothing waits but for the read-back of
+ * OIT_FIT_WAIT. */
 static void test_barriers_of_operators(void **state) {
     (void)state;
     for (int i = 0; i < 2 * OPERATOR_DESCS; ++i) {
         driver.version = i & 1 ? "OpenGL ES 3.1 Mock" : "4.3.0 Mock";
         oit_context *oit = make(operator_descs[i / 2]);
         U program = host_operator(oit);
-        for (int run = 0; run < 4; ++run) {
-            set_totals(64 * 48 * 2, run < 2 ? 200 : 300);
-            assert_int_equal(operate_frame(oit, 31, run, program, NULL), OIT_OK);
+        for (int which = 0; which < VARIANTS; ++which) {
+            set_totals(64 * 48 * 2, which < VARIANTS / 2 ? 200 : 300);
+            driver.waits = 0;
+            if (operate_frame(oit, EVERY_KIND, which, program, NULL) != OIT_OK)
+                fail_msg("%s: %s", variants[which].name, driver.text);
+            assert_true(driver.waits <= (oit->desc.fit == OIT_FIT_WAIT && oit->desc.store == OIT_STORE_EXACT));
             driver.finished = driver.now;
             assert_int_equal(driver.copy_target, 78);
+            if (driver.violations)
+                fail_msg("in the frame of %s", variants[which].name);
         }
         if (operator_descs[i / 2].store == OIT_STORE_EXACT)
             assert_true(oit->wide);
         fake_DeleteProgram(program);
         oit_destroy(oit);
-        assert_int_equal(driver.violations, 0);
         driver.call_count = 0;
     }
+}
+
+/* Each barrier left out in turn: the driver that is not there notices every one. So none is given for nothing, and none
+ * of them could be missing unseen. */
+static void test_each_barrier_of_operators_is_needed(void **state) {
+    int left_out = 0;
+    (void)state;
+    driver.quiet = true;
+    for (int i = 0; i < OPERATOR_DESCS; i += 2) {
+        oit_context *oit = make(operator_descs[i]);
+        U program = host_operator(oit);
+        set_totals(64 * 48 * 2, 200);
+        for (int which = 0; which < VARIANTS; which += i ? 5 : 1) {
+            for (int warm = 0; warm < 4; ++warm) { /* what is made, or grows, once */
+                driver.barriers = 0;
+                assert_int_equal(operate_frame(oit, EVERY_KIND, which, program, NULL), OIT_OK);
+                driver.finished = driver.now;
+            }
+            const long first = driver.operators[0] + 1, last = driver.operators[1];
+            for (long n = first - 1; n <= last; ++n) {
+                driver.finished = driver.now;
+                driver.dropped_barrier = 0;
+                fake_MemoryBarrier(0xffffffffu); /* nothing is left of the frame before */
+                driver.call_count = driver.violations = 0;
+                driver.barriers = 0;
+                driver.dropped_barrier = n < first ? 0 : n;
+                assert_int_equal(operate_frame(oit, EVERY_KIND, which, program, NULL), OIT_OK);
+                assert_true(driver.operators[0] == first - 1 && driver.operators[1] == last);
+                if ((driver.violations > 0) != (n >= first))
+                    fail_msg("desc %d, %s: %d violations without barrier %ld of %ld to %ld", i, variants[which].name,
+                             driver.violations, n, first, last);
+                left_out += n >= first;
+            }
+            assert_true(last - first > 5);
+            driver.dropped_barrier = 0;
+        }
+        driver.violations = 0;
+        fake_DeleteProgram(program);
+        oit_destroy(oit);
+    }
+    driver.violations = 0;
+    print_message("    %d barriers left out one at a time\n", left_out);
 }
 
 static int programs_made(const oit_context *oit) {
@@ -1312,41 +1426,63 @@ static int programs_made(const oit_context *oit) {
     return made;
 }
 
-/* What is not asked for is not stored, made or run. Bytes are counted by hand from the comments of OIT_OPERATE_*. */
+/* What is not asked for is not stored, made or run. Bytes are counted by hand from the comments of OIT_OPERATE_*, passes
+ * from the table of docs/smart.md. */
 static void test_bytes_and_passes_of_operators(void **state) {
+    enum { LINK = 1, LAW = 2, SMART = 4, CURVE = 8, HOST = 16 };
     static const struct {
         uint32_t operators;
         int fields;
         unsigned kinds; /* that are run */
-        int record, words, programs, passes;
+        int which, record, words, programs, passes;
     } cases[] = {
-        {0, 0, 0, 16, 0, 0, 0},
-        {OIT_OPERATE_LAW, 0, 0, 16, 0, 0, 0},           /* chosen and not run: not made */
-        {OIT_OPERATE_LAW, 0, 2, 16, 2, 3, 2},           /* order, base; sort, law */
-        {0, 3, 16, 16, 4, 2, 2},                        /* order and fields; sort, the host's */
-        {OIT_OPERATE_LINKS, 0, 1, 24, 2, 4, 3},         /* order, links; sort, connect, mutual */
-        {OIT_OPERATE_CURVATURE, 0, 5 | 8, 24, 4, 0, 0}, /* SMART is not chosen */
-        {OIT_OPERATE_CURVATURE, 0, 1 | 8, 24, 4, 5, 4},
-        {OIT_OPERATE_SMART, 0, 1 | 4, 24, 5, 7, 3 + 2 + 20}, /* + given, bound, 20 iterations */
-        {OIT_OPERATE_SMART, 0, 1 | 2 | 4, 24, 5, 7, 3 + 2 + 20},
-        {OIT_OPERATE_SMART | OIT_OPERATE_CURVATURE, 1, 1 | 2 | 4 | 8 | 16, 24, 7, 8, 3 + 2 + 20 + 2},
+        {0, 0, 0, PLAIN, 16, 0, 0, 0},
+        {OIT_OPERATE_LAW, 0, 0, PLAIN, 16, 0, 0, 0},                /* chosen and not run: not made */
+        {OIT_OPERATE_LAW, 0, LAW, PLAIN, 16, 2, 3, 2},              /* order, base; sort, law; no normals, no links */
+        {0, 3, HOST, PLAIN, 16, 4, 2, 2},                           /* order and fields; sort, the host's */
+        {OIT_OPERATE_LOCAL, 1, HOST, LOCAL_FIELD, 16, 3, 2, 1 + 3}, /* a second field for to and fro */
+        {OIT_OPERATE_LOCAL | OIT_OPERATE_LAW, 0, HOST, LOCAL_BASE, 16, 3, 3, 2 + 3}, /* + given */
+        {OIT_OPERATE_LINKS, 0, LINK, PLAIN, 24, 2, 4, 3},                            /* sort, connect, mutual */
+        {OIT_OPERATE_LINKS, 0, LINK, ONE_SIDED, 24, 2, 3, 2},                        /* no mutual */
+        {OIT_OPERATE_LINKS, 0, LINK, BRUTE, 24, 2, 4, 1 + 4 + 1},                    /* a direction each */
+        {OIT_OPERATE_LINKS, 0, LINK, PUBLISHED, 24, 2, 3, 1 + 4},
+        {OIT_OPERATE_LINKS | OIT_OPERATE_BUCKETS, 0, LINK, BUCKETED, 24, 3, 5, 1 + 1 + 4 + 1}, /* group */
+        {OIT_OPERATE_CURVATURE, 0, LINK | SMART, PLAIN, 24, 4, 0, 0},                          /* SMART is not chosen */
+        {OIT_OPERATE_CURVATURE, 0, LINK | CURVE, PLAIN, 24, 4, 5, 4},
+        {OIT_OPERATE_CONTOURS, 0, LINK | CURVE, PLAIN, 24, 6, 5, 4},         /* chosen, not asked for */
+        {OIT_OPERATE_CONTOURS, 0, LINK | CURVE, CONTOURS, 24, 6, 6, 4 + 11}, /* 64 steps: ten pairs of chains */
+        {OIT_OPERATE_SMART, 0, LINK | SMART, PLAIN, 24, 5, 7, 3 + 2 + 20},   /* + given, bound, 20 iterations */
+        {OIT_OPERATE_SMART, 0, LINK | LAW | SMART, PLAIN, 24, 5, 7, 3 + 2 + 20},
+        {OIT_OPERATE_SMART, 0, LINK | SMART, STILL, 24, 5, 6, 3 + 2},
+        {OIT_OPERATE_SMART, 0, LINK | SMART, BASE_ALONE, 24, 5, 7, 3 + 2 + 20},
+        {OIT_OPERATE_SMART, 0, LINK | SMART, JUMPING, 24, 5, 8, 3 + 2 + 16 + 4}, /* four rounds, three pairs for base */
+        {OIT_OPERATE_SMART | OIT_OPERATE_THIN, 0, LINK | SMART, PLAIN, 24, 7, 7,
+         3 + 2 + 20}, /* chosen, not asked for */
+        {OIT_OPERATE_SMART | OIT_OPERATE_THIN, 0, LINK | LAW | SMART, THIN, 24, 7, 8, 3 + 2 + 6 + 20}, /* to 20 / 0.5 */
+        {OIT_OPERATE_SMART | OIT_OPERATE_DIFFUSION, 0, LINK | SMART, DIFFUSED, 24, 7, 7, 3 + 2 + 20 + 20},
+        {OIT_OPERATE_SMART | OIT_OPERATE_CURVATURE, 1, LINK | LAW | SMART | CURVE | HOST, PLAIN, 24, 7, 8,
+         3 + 2 + 20 + 2},
     };
     (void)state;
-    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; ++i) {
-        oit_desc desc = {.operators = cases[i].operators, .operator_fields = cases[i].fields};
+    for (size_t i = 0; i < 2 * sizeof cases / sizeof cases[0]; ++i) {
+        size_t c = i / 2;
+        bool wide = i & 1;
+        oit_desc desc = {.operators = cases[c].operators, .operator_fields = cases[c].fields};
         oit_context *oit = make(desc);
         U program = oit_operator_glsl(oit, &(int){0}) ? host_operator(oit) : 0;
-        int counts[OIT_PASS_KIND_COUNT] = {0};
-        set_totals(6000, 7);
-        bool refused = cases[i].passes == 0 && cases[i].kinds != 0;
-        assert_int_equal(operate_frame(oit, cases[i].kinds, 0, program, counts),
+        int counts[OIT_PASS_KIND_COUNT] = {0}, words = cases[c].words;
+        set_totals(6000, wide ? 255 : 7);
+        bool refused = cases[c].passes == 0 && cases[c].kinds != 0;
+        assert_int_equal(operate_frame(oit, cases[c].kinds, cases[c].which, program, counts),
                          refused ? OIT_INVALID_ARGUMENT : OIT_OK);
-        assert_int_equal(oit_get_info(oit).fragment_bytes, cases[i].record);
+        assert_int_equal(oit_get_info(oit).fragment_bytes, cases[c].record);
+        words += wide && cases[c].record == 24; /* links of 16 bits */
         if (!refused) {
-            int64_t bytes = cases[i].words ? 4 * (16 + (int64_t)cases[i].words * oit->capacity) : 0;
-            assert_int_equal(oit->sizes[OIT_I_SURFACE], bytes);
-            assert_int_equal(programs_made(oit), cases[i].programs);
-            assert_int_equal(counts[OIT_PASS_OPERATE], cases[i].passes);
+            int64_t bytes = words ? 4 * (16 + (int64_t)words * oit->capacity) : 0;
+            if (oit->sizes[OIT_I_SURFACE] != bytes || programs_made(oit) != cases[c].programs ||
+                counts[OIT_PASS_OPERATE] != cases[c].passes)
+                fail_msg("case %d: %ld bytes for %ld, %d programs, %d passes", (int)c, (long)oit->sizes[OIT_I_SURFACE],
+                         (long)bytes, programs_made(oit), counts[OIT_PASS_OPERATE]);
         }
         fake_DeleteProgram(program);
         oit_destroy(oit);
@@ -1366,7 +1502,7 @@ static void test_steady_operators(void **state) {
         set_totals(6000, 30);
         for (int run = 0; run < 8; ++run) {
             int first = driver.call_count;
-            assert_int_equal(operate_frame(oit, 31, 1, program, NULL), OIT_OK);
+            assert_int_equal(operate_frame(oit, 31, JUMPING, program, NULL), OIT_OK);
             driver.finished = driver.now;
             for (size_t k = 0; k < sizeof never / sizeof never[0] && run > 4; ++k)
                 if (called_since(first, never[k]) && !(i == 0 && k == 4))
@@ -1382,7 +1518,7 @@ static void test_steady_operators(void **state) {
             draw_passes(oit, &(int){0});
             int first = driver.call_count, passes = 0;
             for (int kind = 0; kind < 5; ++kind) {
-                oit_operator op = operators_of(kind, 1, program);
+                oit_operator op = operator_of(kind, JUMPING, program);
                 assert_int_equal(oit_run(oit, &op), OIT_OK);
                 while (oit_next_pass(oit, &pass)) {
                     assert_int_equal(pass.kind, OIT_PASS_OPERATE);
@@ -1453,6 +1589,17 @@ static void test_operators_refused(void **state) {
     expect_refusal(oit, (oit_operator){.kind = OIT_RUN_LAW, .law = {.s = 1.5f}}, OIT_INVALID_ARGUMENT, "above 1");
     expect_refusal(oit, (oit_operator){.kind = OIT_RUN_CURVATURE, .curvature = {.unit = -1}}, OIT_INVALID_ARGUMENT,
                    "negative");
+    float tables[OIT_TRANSFER_CURVATURES * OIT_TRANSFER_DEPTHS] = {0}; /* the last number of each is none */
+    tables[3 * OIT_TRANSFER_SHADES - 1] = tables[OIT_TRANSFER_CURVATURES * OIT_TRANSFER_DEPTHS - 1] =
+        bad_number - bad_number;
+    expect_refusal(oit, (oit_operator){.kind = OIT_RUN_CURVATURE, .curvature = {.shades = tables}},
+                   OIT_INVALID_ARGUMENT, "curvature.shades is not finite");
+    expect_refusal(oit, (oit_operator){.kind = OIT_RUN_CURVATURE, .curvature = {.opacities = tables}},
+                   OIT_INVALID_ARGUMENT, "curvature.opacities is not finite");
+    expect_refusal(oit, (oit_operator){.kind = OIT_RUN_CURVATURE, .curvature = {.last = bad_number}},
+                   OIT_INVALID_ARGUMENT, "curvature is not finite");
+    expect_refusal(oit, (oit_operator){.kind = OIT_RUN_CURVATURE, .curvature = {.shade = (oit_shade)3}},
+                   OIT_INVALID_ARGUMENT, "none of its enumerators");
     op.kind = OIT_RUN_SMART;
     op.smart.beta.process = OIT_PROCESS_DIFFUSION;
     expect_refusal(oit, op, OIT_INVALID_ARGUMENT, "OIT_OPERATE_DIFFUSION");
@@ -1486,7 +1633,7 @@ static void test_operators_refused_at_creation(void **state) {
         oit_desc desc;
         const char *text;
     } cases[] = {
-        {{.operators = 256}, "operators has bits"},
+        {{.operators = 512}, "operators has bits"},
         {{.operator_fields = 5}, "operator_fields"},
         {{.operators = 1, .store = OIT_STORE_FETCH}, ""},
         {{.operators = 1, .fields = OIT_FIELD_COVERAGE}, "OIT_FIELD_COVERAGE"},
@@ -1558,6 +1705,7 @@ int main(void) {
         DRIVER_TEST(test_wrong_order_and_bad_frames),
         DRIVER_TEST(test_sizes),
         DRIVER_TEST(test_barriers_of_operators),
+        DRIVER_TEST(test_each_barrier_of_operators_is_needed),
         DRIVER_TEST(test_bytes_and_passes_of_operators),
         DRIVER_TEST(test_steady_operators),
         DRIVER_TEST(test_operators_refused),

@@ -12,6 +12,7 @@
  *  - Equation 1 predicts a depth that is linear in the window: that is exact for planes in window depth, also under
  *    perspective. Predicted and found depth are compared as distances along the view, in units of the radius.
  *  - The continuity limit is one of depth (or of parameters): a pair farther apart than that is no candidate at all.
+ *    Except for what lies between the predictions of both slopes: see ref_smart_is_continuous.
  *  - A direction that leaves the image has no link, and nothing is missing there: the frame of a picture is no silhouette.
  *  - Layer indices count surface fragments. A neighbour's index is greater for one of three reasons: a surface begins
  *    between the two pixels, one ends, or two that are linked swap order. The last is left out of the difference.
@@ -55,6 +56,7 @@ typedef struct ref_smart_fragment {
     bool keep_beta, keep_gamma; /* the paper's b = 0 */
     double opacity;             /* the paper's alpha with a hat */
     double kappa;
+    double radial, contour; /* curvature toward the eye, convex positive; how much a contour covers */
 } ref_smart_fragment;
 
 typedef struct ref_smart_image {
@@ -111,24 +113,42 @@ static inline double ref_smart_dot(const double a[3], const double b[3]) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
+static inline double ref_smart_ahead(const ref_smart_fragment *f, int direction) {
+    return f->slope[direction / 2] * (direction % 2 ? 1 : -1);
+}
+
+/* Distance in radii between what a fragment predicts for the pixel in that direction, and what was found there. */
+static inline double ref_smart_error(const ref_smart_links *links, const ref_smart_fragment *f,
+                                     const ref_smart_fragment *found, int direction) {
+    return fabs(ref_smart_distance(links->projection, f->depth + ref_smart_ahead(f, direction)) -
+                ref_smart_distance(links->projection, found->depth)) /
+           links->radius;
+}
+
+/* Within the limit of what i predicts. Or, by the mean value theorem, where a surface may be whose slope goes steadily
+ * from that of i to that of j: its depth rises by no less than the one says and by no more than the other. */
+static inline bool ref_smart_is_continuous(const ref_smart_links *links, const ref_smart_fragment *i,
+                                           const ref_smart_fragment *j, int direction) {
+    double rise = j->depth - i->depth, own = ref_smart_ahead(i, direction), other = ref_smart_ahead(j, direction);
+    return ref_smart_error(links, i, j, direction) <= links->limit ||
+           (fmin(own, other) <= rise && rise <= fmax(own, other));
+}
+
 /* Equations 1 to 3, or what stands in for them; infinite for what cannot be joined. */
 static inline double ref_smart_measure(const ref_smart_links *links, const ref_smart_fragment *i,
                                        const ref_smart_fragment *j, int direction) {
     if (i->kind != REF_SMART_SURFACE || j->kind != REF_SMART_SURFACE || i->part != j->part)
         return REF_SMART_NEVER;
-    double ahead = i->slope[direction / 2] * (direction % 2 ? 1 : -1), bend = 1 - ref_smart_dot(i->normal, j->normal);
+    double bend = 1 - ref_smart_dot(i->normal, j->normal);
     if (links->criterion == REF_SMART_BY_UV) {
         double apart = hypot(i->uv[0] - j->uv[0], i->uv[1] - j->uv[1]);
         return apart <= links->limit ? apart : REF_SMART_NEVER;
     }
     if (links->criterion == REF_SMART_MURRAY)
         return bend + (i->depth - j->depth) * (i->depth - j->depth);
-    double apart = fabs(ref_smart_distance(links->projection, i->depth + ahead) -
-                        ref_smart_distance(links->projection, j->depth)) /
-                   links->radius;
-    if (links->criterion == REF_SMART_BY_DEPTH && !(apart <= links->limit))
+    if (links->criterion == REF_SMART_BY_DEPTH && !ref_smart_is_continuous(links, i, j, direction))
         return REF_SMART_NEVER;
-    return links->depth_weight * apart + links->normal_weight * bend;
+    return links->depth_weight * ref_smart_error(links, i, j, direction) + links->normal_weight * bend;
 }
 
 /* The one of the `count` from `list` on that i likes best; -1: none. */
@@ -419,6 +439,144 @@ static inline void ref_smart_curve(ref_smart_image *image, const ref_smart_view 
                 ref_smart_fragment *f = ref_smart_at(image, x, y, i);
                 f->kappa = f->kind == REF_SMART_SURFACE ? ref_smart_kappa(image, x, y, f, view) : 0;
             }
+}
+
+/* ---- suggestive contours (DeCarlo et al. 2003, section 2) ----
+ *
+ * Where the radial curvature (in the direction w of the eye, laid into the tangent plane) is 0 and rises along w, as seen
+ * from the side that faces the eye. How the sentence is read on fragments:
+ *  - Differences are across two pixels each way along the surface, or as far as links lead. The gradient of a quantity
+ *    that changes by d0 and d1 between the ends of two crossing lines is what gives those changes: the vector g of the
+ *    plane that they span with g.t0 = d0 and g.t1 = d1.
+ *  - A line is as dark as it covers a pixel, its middle being |radial| / |change of it a pixel| away.
+ *  - Curvature k is taken as k / (1 + |k| radius / 10), which is bounded beside silhouettes, before it is smoothed.
+ *  - It fades in from `least` to twice that in the derivative along w, and from |w| of 1/4 to 1/2. */
+typedef struct ref_smart_around {
+    const ref_smart_fragment *ends[4];
+    double across[2][3], pixels[2];
+} ref_smart_around;
+
+static inline bool ref_smart_look_around(const ref_smart_image *image, const double projection[16], int x, int y,
+                                         const ref_smart_fragment *f, ref_smart_around *a) {
+    double at[4][3];
+    for (int d = 0; d < 4; d++) {
+        int to_x = x, to_y = y;
+        a->ends[d] = f;
+        for (int k = 0; k < 2; k++) {
+            const ref_smart_fragment *next = ref_smart_linked(image, to_x, to_y, a->ends[d], d);
+            if (!next)
+                break;
+            a->ends[d] = next;
+            ref_smart_next(image, &to_x, &to_y, d);
+        }
+        ref_smart_place(image, projection, to_x, to_y, a->ends[d]->depth, at[d]);
+        double steps = abs(to_x - x) + abs(to_y - y);
+        a->pixels[d / 2] = d % 2 ? a->pixels[d / 2] + steps : steps;
+    }
+    for (int axis = 0; axis < 2; axis++)
+        for (size_t k = 0; k < 3; k++)
+            a->across[axis][k] = at[2 * axis + 1][k] - at[2 * axis][k];
+    return a->pixels[0] > 0 && a->pixels[1] > 0;
+}
+
+/* Toward the eye from the middle of a pixel; unit. The ray there is where clip x and y are ndc times clip w. */
+static inline void ref_smart_to_eye(const ref_smart_image *image, const double p[16], int x, int y, double out[3]) {
+    double ends[2][3], length = 0;
+    for (int k = 0; k < 2; k++) { /* two places of the ray */
+        double z = k ? -1 : -2, w = p[11] * z + p[15];
+        ends[k][0] = ((2 * (x + 0.5) / image->width - 1) * w - p[8] * z - p[12]) / p[0];
+        ends[k][1] = ((2 * (y + 0.5) / image->height - 1) * w - p[9] * z - p[13]) / p[5];
+        ends[k][2] = z;
+    }
+    for (int k = 0; k < 3; k++) {
+        out[k] = ends[1][k] - ends[0][k];
+        length += out[k] * out[k];
+    }
+    for (int k = 0; k < 3; k++)
+        out[k] /= sqrt(length);
+}
+
+/* w, and its product with the gradient of something that changes by d across the ends: by Cramer's rule. */
+static inline bool ref_smart_slope_along(const ref_smart_around *a, const double w[3], const double d[2], double *out) {
+    double xx = ref_smart_dot(a->across[0], a->across[0]), yy = ref_smart_dot(a->across[1], a->across[1]);
+    double xy = ref_smart_dot(a->across[0], a->across[1]), square = xx * yy - xy * xy;
+    double g[3];
+    for (int k = 0; k < 3; k++)
+        g[k] = ((d[0] * yy - d[1] * xy) * a->across[0][k] + (d[1] * xx - d[0] * xy) * a->across[1][k]) / square;
+    *out = ref_smart_dot(g, w);
+    return square > 1e-6 * xx * yy && ref_smart_dot(w, w) > 1e-6;
+}
+
+static inline void ref_smart_toward(const ref_smart_image *image, const double projection[16], int x, int y,
+                                    const ref_smart_fragment *f, double w[3], double *facing) {
+    ref_smart_to_eye(image, projection, x, y, w);
+    *facing = ref_smart_dot(w, f->normal);
+    for (int k = 0; k < 3; k++)
+        w[k] -= *facing * f->normal[k];
+}
+
+static inline double ref_smart_radial(const ref_smart_image *image, const double projection[16], double radius, int x,
+                                      int y, const ref_smart_fragment *f) {
+    ref_smart_around a;
+    double w[3], facing, bend = 0;
+    if (f->kind != REF_SMART_SURFACE || !ref_smart_look_around(image, projection, x, y, f, &a))
+        return 0;
+    ref_smart_toward(image, projection, x, y, f, w, &facing);
+    for (int k = 0; k < 3; k++) { /* of each coordinate of the normal */
+        double d[2] = {a.ends[1]->normal[k] - a.ends[0]->normal[k], a.ends[3]->normal[k] - a.ends[2]->normal[k]}, along;
+        if (!ref_smart_slope_along(&a, w, d, &along))
+            return 0;
+        bend += along * w[k];
+    }
+    bend /= ref_smart_dot(w, w);
+    return (facing < 0 ? -1 : 1) * bend / (1 + fabs(bend) * radius / 10);
+}
+
+static inline double ref_smart_contour(const ref_smart_image *image, const double projection[16], int x, int y,
+                                       const ref_smart_fragment *f, double width, double least) {
+    ref_smart_around a;
+    double w[3], facing, rise;
+    if (f->kind != REF_SMART_SURFACE || !ref_smart_look_around(image, projection, x, y, f, &a))
+        return 0;
+    ref_smart_toward(image, projection, x, y, f, w, &facing);
+    double d[2] = {a.ends[1]->radial - a.ends[0]->radial, a.ends[3]->radial - a.ends[2]->radial};
+    double each = hypot(d[0] / a.pixels[0], d[1] / a.pixels[1]), steep = sqrt(ref_smart_dot(w, w));
+    if (!ref_smart_slope_along(&a, w, d, &rise) || !(each > 0))
+        return 0;
+    double covered = fmin(fmax(0.5 * width + 0.5 - fabs(f->radial) / each, 0), 1);
+    double strong = fmin(fmax(rise / steep / least - 1, 0), 1), aside = fmin(fmax(4 * steep - 1, 0), 1);
+    return covered * strong * aside;
+}
+
+/* radius: of the links; width in pixels, least in radii to the power -2; iterations of equation 8 that smooth the
+ * curvature. False: out of memory. */
+static inline bool ref_smart_contours(ref_smart_image *image, const double projection[16], double radius, double width,
+                                      double least, size_t iterations) {
+    size_t count = image->start[(size_t)image->width * (size_t)image->height];
+    double *kept = malloc((count ? count : 1) * sizeof *kept);
+    if (!kept)
+        return false;
+    for (int y = 0; y < image->height; y++)
+        for (int x = 0; x < image->width; x++)
+            for (size_t i = 0; i < ref_smart_count(image, x, y); i++) {
+                ref_smart_fragment *f = ref_smart_at(image, x, y, i);
+                kept[f - image->fragments] = f->base;
+                f->radial = ref_smart_radial(image, projection, radius, x, y, f);
+                f->base = f->radial; /* is what equation 8 is masked nowhere for */
+            }
+    bool done = ref_smart_spread(image, REF_SMART_BASE, false, 1, REF_SMART_EIGHTH, iterations);
+    for (size_t i = 0; i < count; i++) {
+        image->fragments[i].radial = image->fragments[i].base;
+        image->fragments[i].base = kept[i];
+    }
+    free(kept);
+    for (int y = 0; y < image->height; y++)
+        for (int x = 0; x < image->width; x++)
+            for (size_t i = 0; i < ref_smart_count(image, x, y); i++) {
+                ref_smart_fragment *f = ref_smart_at(image, x, y, i);
+                f->contour = ref_smart_contour(image, projection, x, y, f, width, least / (radius * radius));
+            }
+    return done;
 }
 
 #endif

@@ -27,7 +27,8 @@ typedef struct smart_stage_row {
 typedef struct smart_stage {
     oit_setting set;
     oit_scene scene;
-    double radius; /* of the scene, for links */
+    double radius;  /* of the scene, for links */
+    float light[3]; /* as of oit_frame; zero: not shaded */
     GLuint reader, out;
     size_t room;                  /* fragments that can be read */
     smart_stage_row *rows;        /* of the last look, in the image's order */
@@ -252,10 +253,16 @@ static inline void smart_stage_color(uint32_t *state, double alpha, double out[4
     out[3] = alpha;
 }
 
-/* A built-in model with its normals. */
-static inline void smart_stage_model(smart_stage *t, const char *name, double alpha) {
-    scene *model = models_make(name);
-    assert_non_null(model);
+/* numbers: radius of the ring, and of its tube; its axis is z. Ends meet beginnings to the bit. */
+static inline void smart_stage_ring(double u, double v, const double *n, double out[3]) {
+    double turn = 6.28318530717958648 * (u >= 1 ? u - 1 : u), tilt = 6.28318530717958648 * (v >= 1 ? v - 1 : v);
+    out[0] = (n[0] + n[1] * cos(tilt)) * cos(turn);
+    out[1] = (n[0] + n[1] * cos(tilt)) * sin(turn);
+    out[2] = n[1] * sin(tilt);
+}
+
+/* A model with its normals. */
+static inline void smart_stage_scene(smart_stage *t, const scene *model, double alpha) {
     oit_scene *s = smart_stage_clear(t);
     oit_scene_look_at(s, model);
     double low[3], high[3], square = 0;
@@ -272,6 +279,13 @@ static inline void smart_stage_model(smart_stage *t, const char *name, double al
                                   oit_scene_copy(mesh->indices, 4 * mesh->index_count), mesh->index_count / 3, color);
         memcpy(s->truths[at].model, part->transform, sizeof part->transform);
     }
+}
+
+/* A built-in one. */
+static inline void smart_stage_model(smart_stage *t, const char *name, double alpha) {
+    scene *model = models_make(name);
+    assert_non_null(model);
+    smart_stage_scene(t, model, alpha);
     scene_destroy(model);
 }
 
@@ -368,6 +382,7 @@ static inline void smart_stage_begin(smart_stage *t, const size_t *order) {
     double truth[16];
     smart_stage_projection(t, frame.projection, truth);
     frame.zero_to_one = t->scene.reversed;
+    memcpy(frame.light, t->light, sizeof frame.light);
     oit_setting_clear(&t->set, &t->scene);
     oit_scene_expect(oit_begin(t->set.oit, &frame), "oit_begin");
     while (oit_next_pass(t->set.oit, &pass))
@@ -482,7 +497,7 @@ static inline ref_smart_links smart_stage_links(const smart_stage *t, const oit_
         links.normal_weight = (double)link->normal_weight;
     }
     links.radius = link->radius > 0 ? (double)link->radius : 1;
-    links.limit = link->limit > 0 ? (double)link->limit : link->limit < 0 ? (double)INFINITY : (double)0.05f;
+    links.limit = link->limit > 0 ? (double)link->limit : link->limit < 0 ? (double)INFINITY : (double)0.04f;
     links.no_reverse_check = link->no_reverse_check != 0;
     float ignored[16];
     smart_stage_projection(t, ignored, links.projection);

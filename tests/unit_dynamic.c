@@ -319,6 +319,50 @@ static void tiles_cover_cells_once(void **state) {
     }
 }
 
+/* Regions hold each cell with masks once, overlap nowhere, and leave out what is worth it. */
+static void regions_hold_all_masks(void **state) {
+    static tr_i_grid grid;
+    uint32_t seed = 3;
+    int most = 0;
+    (void)state;
+    for (int round = 0; round < 200; ++round) {
+        int open = 0, area = 0, low[2] = {TR_I_CELLS, TR_I_CELLS}, high[2] = {0, 0};
+        tr_i_size_grid(&grid, 640 + 8 * round, 480, 16);
+        tr_i_clear_grid(&grid);
+        for (int blob = 0; blob <= round % 12; ++blob) {
+            int at[2];
+            for (int k = 0; k < 2; ++k) {
+                seed = seed * 1664525u + 1013904223u;
+                at[k] = (int)(seed >> 16) % ((k ? grid.rows : grid.columns) - 3);
+            }
+            for (int k = 0; k < 9; ++k)
+                grid.farthest_target[(at[1] + k / 3) * TR_I_CELLS + at[0] + k % 3] = 1;
+        }
+        tr_i_make_regions(&grid);
+        assert_true(grid.region_count >= 1 && grid.region_count <= TR_I_MAX_REGIONS);
+        most = grid.region_count > most ? grid.region_count : most;
+        for (int y = 0; y < grid.rows; ++y)
+            for (int x = 0; x < grid.columns; ++x) {
+                int in = 0, is_open = grid.farthest_target[y * TR_I_CELLS + x] > 0;
+                for (int r = 0; r < grid.region_count; ++r)
+                    in += x >= grid.regions[r][0] && x < grid.regions[r][2] && y >= grid.regions[r][1] &&
+                          y < grid.regions[r][3];
+                assert_true(is_open ? in == 1 : in <= 1);
+                area += in;
+                open += is_open;
+                for (int k = 0; is_open && k < 2; ++k) {
+                    low[k] = (k ? y : x) < low[k] ? (k ? y : x) : low[k];
+                    high[k] = (k ? y : x) + 1 > high[k] ? (k ? y : x) + 1 : high[k];
+                }
+            }
+        int bound = (high[0] - low[0]) * (high[1] - low[1]), worth = grid.columns * grid.rows / TR_I_REGION_SAVES;
+        assert_true(area >= open && area <= bound - (grid.region_count - 1) * worth);
+        if (round % 12 == 1 && bound > open + 2 * worth) /* two blobs: two regions are those */
+            assert_true(area == open || grid.region_count == 1);
+    }
+    assert_int_equal(most, TR_I_MAX_REGIONS);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(rectangles_hold_spheres_tightly),
@@ -327,6 +371,7 @@ int main(void) {
         cmocka_unit_test(fading_does_not_depend_on_the_frame_rate),
         cmocka_unit_test(fading_arrives_and_stays),
         cmocka_unit_test(tiles_cover_cells_once),
+        cmocka_unit_test(regions_hold_all_masks),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
