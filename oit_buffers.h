@@ -195,7 +195,8 @@
    bits each, exact. Iterated, each pass is one step. With smart.jumps a pass carries distances 32 pixels along rows, the
    next along columns, and so on: never below the true distance, so never above the iterated field; each bend of a path
    costs a round. smart.until_stable asks for as many rounds as iterations, of which those after the last change end at
-   once. Base is made smooth by two passes for each 25 iterations: the weights of so many steps along rows, then columns.
+   once. Base is made smooth by the weights of several steps along rows, then columns, and so on: n + 1 passes for 7 n
+   iterations, where links are mutual; without the reverse check, or with OIT_LINK_PUBLISHED, it is iterated.
    smart.thin is against silhouettes so dense that nothing but them is seen: a field ends within that share of the distance
    between the boundary conditions on either side along the row, or along the column if that is less.
 
@@ -632,8 +633,8 @@ typedef struct oit_spread {
 
 typedef struct oit_smart {
     oit_spread base, beta, gamma; /* where no LAW was run, base starts as GIVEN */
-    int jumps; /* 1: few passes that go far along rows and columns instead of one an iteration; see JUMPS */
-    int rounds; /* of jumps: a pass along rows and one along columns; 0: default what reaches without a bend, and 3 for bends */
+    int jumps;  /* 1: few passes that go far along rows and columns instead of one an iteration; see JUMPS */
+    int rounds; /* of jumps: along rows and along columns; 0: default what reaches without a bend, and 2 for bends */
     int until_stable; /* 1: as many rounds as are needed: beta and gamma as iterated, exactly */
     float thin;       /* beta and gamma reach no farther than this share of the surface's width there; 0: any (paper) */
     int published;    /* 1: the paper's own: mean of four in equation 8, equation 9 without b, plain layer indices, and
@@ -1744,7 +1745,23 @@ static const char *const oit_i_shader_oit_operator_glsl[] = {
     "layout(std430, binding = OIT_BINDING_REPORT) buffer oit_surfaces { uint oit_surface[]; };\n"
     "#endif\n"
     "// Where the sections lie in it, a word a fragment each; 0: there is none.\n"
+    "#ifdef OIT_COMPOSES\n"
     "layout(location = 0) uniform highp uvec4 oit_at[6];\n"
+    "layout(location = 8) uniform highp vec4 oit_set[8]; // 0 to 3: of the operator's own\n"
+    "#else\n"
+    "layout(location = 0) uniform highp uvec4 oit_given_at[6];\n"
+    "layout(location = 8) uniform highp vec4 oit_given_set[8];\n"
+    "// Taken once: some drivers read a uniform lane by lane, wherever it stands in a loop.\n"
+    "highp uvec4 oit_at[6];\n"
+    "highp vec4 oit_set[8];\n"
+    "void oit_take_numbers()\n"
+    "{\n"
+    "    for (int i = 0; i < 6; ++i)\n"
+    "        oit_at[i] = oit_given_at[i];\n"
+    "    for (int i = 0; i < 8; ++i)\n"
+    "        oit_set[i] = oit_given_set[i];\n"
+    "}\n"
+    "#endif\n"
     "#define OIT_IN_ORDER oit_at[0].x   // number of the record\n"
     "#define OIT_IN_LINKS oit_at[0].y   // left, right, down, up: layers of the neighbours in their pixels, 8 bits each\n"
     "#define OIT_IN_FAR_LINKS oit_at[0].z // not 0: 16 bits each, the last two here\n"
@@ -1760,7 +1777,6 @@ static const char *const oit_i_shader_oit_operator_glsl[] = {
     "#define OIT_IN_HOST oit_at[3]\n"
     "#define OIT_STEP oit_at[4]         // of the operator's own\n"
     "#define OIT_EXTRA_STEP oit_at[5]\n"
-    "layout(location = 8) uniform highp vec4 oit_set[8]; // 0 to 3: of the operator's own\n"
     "\n"
     "#define OIT_LEFTWARD 0u\n"
     "#define OIT_RIGHTWARD 1u\n"
@@ -1832,7 +1848,8 @@ static const char *const oit_i_shader_oit_operator_glsl[] = {
     "}\n"
     "\n"
     "vec4 oit_color(uint slot) // as it was stored\n"
-    "{\n"
+    "{\n",
+    "#line 116\n"
     "    return oit_record_color(oit_record(slot));\n"
     "}\n"
     "\n"
@@ -1859,8 +1876,7 @@ static const char *const oit_i_shader_oit_operator_glsl[] = {
     "#endif\n"
     "#if OIT_HAS_UV\n"
     "vec2 oit_uv(uint slot)\n"
-    "{\n",
-    "#line 128\n"
+    "{\n"
     "    uint at = oit_record(slot);\n"
     "    return vec2(uintBitsToFloat(OIT_WORD(at, OIT_AT_UV)), uintBitsToFloat(OIT_WORD(at, OIT_AT_UV + 1)));\n"
     "}\n"
@@ -1952,7 +1968,8 @@ static const char *const oit_i_shader_oit_operator_glsl[] = {
     "        return uintBitsToFloat(oit_surface[diffused + slot]);\n"
     "    float lambda = gamma ? oit_set[7].y : oit_set[7].x;\n"
     "    if (oit_set[7].z > 0.0)\n"
-    "        lambda = oit_steepest(slot, lambda);\n"
+    "        lambda = oit_steepest(slot, lambda);\n",
+    "#line 235\n"
     "    return oit_reached(oit_steps(slot, gamma), gamma ? OIT_EXTRA_STEP.y : OIT_EXTRA_STEP.x, lambda);\n"
     "}\n"
     "\n"
@@ -1964,8 +1981,7 @@ static const char *const oit_i_shader_oit_operator_glsl[] = {
     "    x = (bits & 0x7f800000u) == 0x7f800000u ? 0.0 : x;\n"
     "    if (which == OIT_BASE)\n"
     "        oit_surface[OIT_IN_BASE + slot] = floatBitsToUint(clamp(x, 0.0, 1.0));\n"
-    "    else\n",
-    "#line 232\n"
+    "    else\n"
     "        oit_surface[OIT_IN_HOST[which - OIT_HOST] + slot] = floatBitsToUint(x);\n"
     "}\n"
     "\n"
@@ -2015,6 +2031,7 @@ static const char *const oit_i_shader_oit_operator_glsl[] = {
     "#ifndef OIT_OWN_MAIN\n"
     "void main()\n"
     "{\n"
+    "    oit_take_numbers();\n"
     "    uvec2 where = gl_GlobalInvocationID.xy;\n"
     "    if (where.x < uint(oit_area.z) && where.y < uint(oit_area.w))\n"
     "        oit_operate(where.y * uint(oit_area.z) + where.x);\n"
@@ -2029,7 +2046,7 @@ static const char *const oit_i_shader_oit_operator_bound_comp[] = {
     "// underneath (green) keeps it 0, being before (blue) makes gamma 1. By layer indices, surfaces only, and without the\n"
     "// differences that linked surfaces make which merely change places: what is left is surfaces that begin on the way to the\n"
     "// neighbour less those that end on it. OIT_STEP: x: 1: plain indices (published); y: 1: nothing is kept at 0, since equation\n"
-    "// 9 as published has no b; equation 8 has.\n"
+    "// 9 as published has no b; equation 8 has; z: as OIT_STEP.w of jumps.\n"
     "\n"
     "// Of those before `layer` in the list: how many are surfaces without a link that way; or, published, how many surfaces.\n"
     "// Kept from one call to the next, since layers mostly ascend.\n"
@@ -2091,54 +2108,122 @@ static const char *const oit_i_shader_oit_operator_bound_comp[] = {
     "        if (OIT_IN_GAMMA != 0u)\n"
     "            oit_surface[OIT_IN_GAMMA + slot] = floatBitsToUint(before ? 1.0 : 0.0);\n"
     "    }\n"
-    "    if (p == 0u) // the passes of jumps that come first find that something has changed\n"
-    "        for (uint i = 4u; i < 8u; ++i)\n"
-    "            oit_surface[i] = 1u;\n"
+    "    uvec2 at = uvec2(p % uint(oit_area.z), p / uint(oit_area.z));\n"
+    "    if (OIT_STEP.z != 0u && all(equal(at & 31u, uvec2(0u)))) // no pass of jumps has changed anything there\n"
+    "        oit_surface[OIT_STEP.z + at.y / 32u * ((uint(oit_area.z) + 31u) / 32u) + at.x / 32u] = 0u;\n"
     "}\n",
     0};
 static const char *const oit_i_shader_oit_operator_chain_comp[] = {
     "#line 1\n"
     "// For: oit_buffers.h\n"
     "// Many iterations of equation 8 at once, along rows or along columns: the binomial weights of so many steps, over the\n"
-    "// fragments that up to 15 links lead to. Where the surface ends the walk turns back, which is what leaving out a link's\n"
-    "// term does in each step. Rows after columns are not quite both at a time: the error is in docs/smart.md. OIT_STEP: x: 0\n"
-    "// rows, 1 columns; y: links to follow; oit_set[0 ... 3]: weights of the fragment itself, of one link each way, ...\n"
-    "uint oit_firsts[31]; // slots of the pixels around, the own one in the middle\n"
+    "// fragments that up to seven links lead to. Where the surface ends the walk turns back, which is what leaving out a link's\n"
+    "// term does in each step. Rows after columns are not quite both at a time: the error is in docs/smart.md.\n"
+    "// A work item takes 32 pixels in turn and follows each chain of links through them once, with what lies around in\n"
+    "// registers: a link and a value are read for each fragment, however wide the weights. Links are mutual. OIT_STEP: x: 0\n"
+    "// rows, 1 columns; oit_set[0], oit_set[1]: weights of the fragment itself, of one link each way, ...\n"
+    "#define OIT_OWN_MAIN 1\n"
+    "const uint oit_reach = 32u, oit_wide = 7u;\n"
+    "uint oit_firsts[46], oit_counts[46]; // of the 32 pixels, and of seven on either side\n"
     "\n"
-    "float oit_weight(uint k)\n"
+    "// One link on from a fragment of a pixel, or turned where there is none.\n"
+    "struct oit_walker\n"
     "{\n"
-    "    return oit_set[k >> 2u][k & 3u];\n"
+    "    uint slot, place, direction;\n"
+    "};\n"
+    "\n"
+    "uint oit_ahead()\n"
+    "{\n"
+    "    return 2u * OIT_STEP.x + 1u;\n"
     "}\n"
     "\n"
-    "float oit_walk(uint slot, uint direction)\n"
+    "// False where the chain ends. Without a branch: some drivers go both ways.\n"
+    "bool oit_walk(inout oit_walker w)\n"
     "{\n"
-    "    float sum = 0.0;\n"
-    "    uint place = 15u;\n"
-    "    for (uint k = 1u; k <= OIT_STEP.y; ++k) {\n"
-    "        uint layer = oit_link(slot, direction);\n"
-    "        if (layer == OIT_NONE) {\n"
-    "            direction ^= 1u;\n"
-    "        } else {\n"
-    "            place = (direction & 1u) != 0u ? place + 1u : place - 1u;\n"
-    "            slot = oit_firsts[place] + layer;\n"
-    "        }\n"
-    "        sum += oit_weight(k) * oit_before(slot);\n"
+    "    uint layer = oit_link(w.slot, w.direction), place = w.direction == oit_ahead() ? w.place + 1u : w.place - 1u;\n"
+    "    bool on = layer != OIT_NONE;\n"
+    "    w.direction = on ? w.direction : w.direction ^ 1u;\n"
+    "    w.place = on ? place : w.place;\n"
+    "    w.slot = on ? oit_firsts[w.place] + layer : w.slot;\n"
+    "    return on;\n"
+    "}\n"
+    "\n"
+    "// What lies around the fragment that is written next, seven links each way, and the slots of those ahead.\n"
+    "float oit_around[15];\n"
+    "uint oit_slots[8];\n"
+    "\n"
+    "void oit_take(uint slot)\n"
+    "{\n"
+    "    for (int k = 0; k < 14; ++k)\n"
+    "        oit_around[k] = oit_around[k + 1];\n"
+    "    for (int k = 0; k < 7; ++k)\n"
+    "        oit_slots[k] = oit_slots[k + 1];\n"
+    "    oit_around[14] = oit_before(slot);\n"
+    "    oit_slots[7] = slot;\n"
+    "}\n"
+    "\n"
+    "float oit_weigh()\n"
+    "{\n"
+    "    float sum = oit_around[7] * oit_set[0].x;\n"
+    "    sum += (oit_around[6] + oit_around[8]) * oit_set[0].y;\n"
+    "    sum += (oit_around[5] + oit_around[9]) * oit_set[0].z;\n"
+    "    sum += (oit_around[4] + oit_around[10]) * oit_set[0].w;\n"
+    "    sum += (oit_around[3] + oit_around[11]) * oit_set[1].x;\n"
+    "    sum += (oit_around[2] + oit_around[12]) * oit_set[1].y;\n"
+    "    sum += (oit_around[1] + oit_around[13]) * oit_set[1].z;\n"
+    "    return sum + (oit_around[0] + oit_around[14]) * oit_set[1].w;\n"
+    "}\n"
+    "\n"
+    "// From where the chain begins or comes into the stretch to where either ends: at most `left` fragments.\n"
+    "void oit_follow(uint slot, uint place, uint left)\n"
+    "{\n"
+    "    oit_walker w = oit_walker(slot, place, oit_ahead() ^ 1u);\n"
+    "    for (uint k = 0u; k < oit_wide; ++k) { // where the next eight push them to\n"
+    "        oit_walk(w);\n"
+    "        for (int i = 14; i > 8; --i)\n"
+    "            oit_around[i] = oit_around[i - 1];\n"
+    "        oit_around[8] = oit_before(w.slot);\n"
     "    }\n"
-    "    return sum;\n"
+    "    w = oit_walker(slot, place, oit_ahead());\n"
+    "    oit_take(slot);\n"
+    "    for (uint k = 1u; left > 0u; ++k) {\n"
+    "        left = oit_walk(w) ? left : min(left, min(k, oit_wide));\n"
+    "        oit_take(w.slot);\n"
+    "        if (k >= oit_wide) {\n"
+    "            oit_set_after(oit_slots[0], oit_weigh());\n"
+    "            --left;\n"
+    "        }\n"
+    "    }\n"
     "}\n"
     "\n"
-    "void oit_operate(uint p)\n"
+    "// On to where a chain begins or comes into the stretch, from the i-th of the pixel at `place` on. False: there is none.\n"
+    "bool oit_find(inout uint place, inout uint i, uint end)\n"
     "{\n"
-    "    uint first, n = oit_list(p, first), width = uint(oit_area.z), reach = OIT_STEP.y;\n"
-    "    if (n == 0u)\n"
-    "        return;\n"
+    "    while (place < end) {\n"
+    "        bool there = i < oit_counts[place];\n"
+    "        if (there && (place == oit_wide || oit_link(oit_firsts[place] + i, oit_ahead() ^ 1u) == OIT_NONE))\n"
+    "            return true;\n"
+    "        i = there ? i + 1u : 0u;\n"
+    "        place = there ? place : place + 1u;\n"
+    "    }\n"
+    "    return false;\n"
+    "}\n"
+    "\n"
+    "void main()\n"
+    "{\n"
+    "    oit_take_numbers();\n"
+    "    uvec2 size = uvec2(oit_area.zw), at = gl_GlobalInvocationID.xy;\n"
     "    bool column = OIT_STEP.x != 0u;\n"
-    "    uint stride = column ? width : 1u, at = column ? p / width : p % width, end = uint(column ? oit_area.w : oit_area.z);\n"
-    "    for (uint k = 15u - min(at, reach); k <= 15u + min(reach, end - 1u - at); ++k)\n"
-    "        oit_list(p + k * stride - 15u * stride, oit_firsts[k]);\n"
-    "    for (uint i = 0u; i < n; ++i)\n"
-    "        oit_set_after(first + i, oit_weight(0u) * oit_before(first + i) + oit_walk(first + i, 2u * OIT_STEP.x) +\n"
-    "                                     oit_walk(first + i, 2u * OIT_STEP.x + 1u));\n"
+    "    uvec2 start = column ? uvec2(at.x, at.y * oit_reach) : uvec2(at.y * oit_reach, at.x); // x is what is long\n"
+    "    if (any(greaterThanEqual(start, size)))\n"
+    "        return;\n",
+    "#line 103\n"
+    "    uint p = start.y * size.x + start.x, stride = column ? size.x : 1u, from = column ? start.y : start.x;\n"
+    "    uint rest = (column ? size.y : size.x) - from, end = oit_wide + min(oit_reach, rest);\n"
+    "    for (uint k = oit_wide - min(oit_wide, from); k < oit_wide + min(oit_reach + oit_wide, rest); ++k)\n"
+    "        oit_counts[k] = oit_list(p + k * stride - oit_wide * stride, oit_firsts[k]);\n"
+    "    for (uint place = oit_wide, i = 0u; oit_find(place, i, end); ++i)\n"
+    "        oit_follow(oit_firsts[place] + i, place, end - place);\n"
     "}\n",
     0};
 static const char *const oit_i_shader_oit_operator_compose_frag[] = {
@@ -2296,90 +2381,16 @@ static const char *const oit_i_shader_oit_operator_connect_comp[] = {
     "#line 1\n"
     "// For: oit_buffers.h\n"
     "// What each surface fragment likes best of the pixels beside its own (Carnecky 2013, section 4.4, equations 1 to 3; Murray\n"
-    "// 2016, section 5.1). Whether that is mutual is seen in a pass after this, when all have chosen.\n"
-    "// OIT_STEP: x, y: directions from x to y - 1; z: criterion; w: bits of OIT_CHOOSE_*.\n"
+    "// 2016, section 5.1), found by looking at all of them. Whether that is mutual is seen in a pass after this, when all have\n"
+    "// chosen. After oit_operator_pairs.glsl. OIT_STEP: x: direction; z: criterion.\n"
     "#define OIT_BY_DEPTH 0u\n"
     "#define OIT_BY_UV 1u\n"
     "#define OIT_PUBLISHED 2u\n"
     "#define OIT_MURRAY 3u\n"
-    "#define OIT_CHOOSE_WINDOWED 1u\n"
-    "#define OIT_CHOOSE_COUNTS 2u\n"
-    "#define OIT_CHOOSE_GROUPED 4u\n"
-    "#define OIT_DEPTH_WEIGHT oit_set[0].x\n"
-    "#define OIT_NORMAL_WEIGHT oit_set[0].y\n"
-    "#define OIT_PER_RADIUS oit_set[0].z\n"
-    "#define OIT_LIMIT_APART oit_set[0].w\n"
-    "#define OIT_NEVER uintBitsToFloat(0x7f800000u) // infinity\n"
-    "uint oit_pairs = 0u;\n"
     "\n"
-    "struct oit_side // of a pair: the one that looks\n"
+    "oit_side oit_look_toward(uint slot, uint direction)\n"
     "{\n"
-    "    float depth, predicted; // window depth, and distance along the view that its slope makes for the pixel beside\n"
-    "    float ahead;            // what the slope adds to the depth on the way there\n"
-    "    uint direction;\n"
-    "    vec3 normal;\n"
-    "    vec2 uv;\n"
-    "    uint part;\n"
-    "};\n"
-    "\n"
-    "float oit_ahead(uint at, uint direction)\n"
-    "{\n"
-    "    vec2 slope = unpackHalf2x16(OIT_WORD(at, OIT_AT_SLOPE)) * (1.0 / 4096.0);\n"
-    "    float ahead = direction < 2u ? slope.x : slope.y;\n"
-    "    return (direction & 1u) != 0u ? ahead : -ahead;\n"
-    "}\n"
-    "\n"
-    "oit_side oit_look(uint slot, uint direction)\n"
-    "{\n"
-    "    uint at = oit_record(slot);\n"
-    "    oit_side side;\n"
-    "    side.depth = oit_record_window_depth(at);\n"
-    "    side.direction = direction;\n"
-    "    side.ahead = oit_ahead(at, direction);\n"
-    "    side.predicted = oit_distance(side.depth + side.ahead);\n"
-    "    side.normal = oit_record_normal(at);\n"
-    "    side.part = OIT_WORD(at, OIT_AT_PART);\n"
-    "    side.uv = vec2(0.0);\n"
-    "#if OIT_HAS_UV\n"
-    "    side.uv = oit_uv(slot);\n"
-    "#endif\n"
-    "    return side;\n"
-    "}\n"
-    "\n"
-    "// How far apart in depth, in radii.\n"
-    "float oit_apart(oit_side side, uint at)\n"
-    "{\n"
-    "    return abs(side.predicted - oit_distance(oit_record_window_depth(at))) * OIT_PER_RADIUS;\n"
-    "}\n"
-    "\n"
-    "// Two units of rounding may leave the product of unit vectors above 1; bends that are not negative are what the window\n"
-    "// stops by.\n"
-    "float oit_bend(oit_side side, uint at)\n"
-    "{\n"
-    "    return max(1.0 - dot(side.normal, oit_record_normal(at)), 0.0);\n"
-    "}\n"
-    "\n"
-    "bool oit_may_join(oit_side side, uint at)\n"
-    "{\n"
-    "    ++oit_pairs;\n"
-    "    return OIT_WORD(at, OIT_AT_PART) == side.part && oit_record_blend(at) == 0u;\n"
-    "}\n"
-    "\n"
-    "// Within the limit of what its slope predicts, or where a surface is found whose slope changes steadily from the one's to\n"
-    "// the other's: between what the two slopes say. So a surface holds together where it is seen at a grazing angle, and\n"
-    "// beyond the limit nothing is glued to what lies behind it and slopes alike.\n"
-    "bool oit_is_continuous(oit_side side, uint at, float apart)\n"
-    "{\n"
-    "    if (apart <= OIT_LIMIT_APART)\n"
-    "        return true;\n"
-    "    float rise = oit_record_window_depth(at) - side.depth;\n"
-    "    return (rise > side.ahead) != (rise > oit_ahead(at, side.direction));\n"
-    "}\n"
-    "\n"
-    "float oit_measure_by_depth(oit_side side, uint at, float apart)\n"
-    "{\n"
-    "    return oit_is_continuous(side, at, apart) ? OIT_DEPTH_WEIGHT * apart + OIT_NORMAL_WEIGHT * oit_bend(side, at)\n"
-    "                                              : OIT_NEVER;\n"
+    "    return oit_toward(oit_look(slot), direction);\n"
     "}\n"
     "\n"
     "float oit_measure(oit_side side, uint slot)\n"
@@ -2406,8 +2417,7 @@ static const char *const oit_i_shader_oit_operator_connect_comp[] = {
     "    uint best = OIT_NONE;\n"
     "    least = OIT_NEVER;\n"
     "    for (uint i = 0u; i < n; ++i) {\n"
-    "        float measure = oit_measure(side, first + i);\n",
-    "#line 114\n"
+    "        float measure = oit_measure(side, first + i);\n"
     "        best = measure < least ? i : best;\n"
     "        least = measure < least ? measure : least;\n"
     "    }\n"
@@ -2437,51 +2447,11 @@ static const char *const oit_i_shader_oit_operator_connect_comp[] = {
     "    return best;\n"
     "}\n"
     "\n"
-    "float oit_gap(oit_side side, uint first, uint n, uint i)\n"
-    "{\n"
-    "    return i < n ? oit_apart(side, oit_record(first + i)) : OIT_NEVER;\n"
-    "}\n"
-    "\n"
-    "// In the order of the slots; oit_set[1].y is -1 where the eye looks along +z, whose distances fall from the eye on.\n"
-    "bool oit_comes_before(uint slot, oit_side side)\n"
-    "{\n"
-    "    return oit_distance(oit_depth(slot)) * oit_set[1].y < side.predicted * oit_set[1].y;\n"
-    "}\n"
-    "\n"
-    "// The same, from the predicted depth outward on both sides, the nearer gap first, until the gap alone weighs more than the\n"
-    "// best so far. `from` is where the search of the fragment before began; surfaces mostly keep their order, so that the\n"
-    "// place is near.\n"
-    "uint oit_best_within(oit_side side, uint first, uint n, inout uint from)\n"
-    "{\n"
-    "    while (from < n && oit_comes_before(first + from, side))\n"
-    "        ++from;\n"
-    "    while (from > 0u && !oit_comes_before(first + from - 1u, side))\n"
-    "        --from;\n"
-    "    uint before = from - 1u, behind = from, best = OIT_NONE; // before: beyond n when it has passed 0\n"
-    "    float gap_before = oit_gap(side, first, n, before), gap_behind = oit_gap(side, first, n, behind), least = OIT_NEVER;\n"
-    "    for (;;) {\n"
-    "        bool back = gap_before < gap_behind;\n"
-    "        float gap = back ? gap_before : gap_behind;\n"
-    "        if (OIT_DEPTH_WEIGHT * gap > least || (back ? before : behind) >= n)\n"
-    "            return best;\n"
-    "        uint i = back ? before : behind, at = oit_record(first + i);\n"
-    "        float measure = oit_may_join(side, at) ? oit_measure_by_depth(side, at, gap) : OIT_NEVER;\n"
-    "        if (measure < least || (measure == least && best != OIT_NONE && i < best)) {\n"
-    "            least = measure;\n"
-    "            best = i;\n"
-    "        }\n"
-    "        if (back)\n"
-    "            gap_before = oit_gap(side, first, n, --before);\n"
-    "        else\n"
-    "            gap_behind = oit_gap(side, first, n, ++behind);\n"
-    "    }\n"
-    "}\n"
-    "\n"
     "// Algorithm 2, lines 12 to 17: none of the list to which i belongs may measure less toward the same candidate.\n"
     "bool oit_published_holds(uint first, uint n, uint i, uint candidate, uint direction, float least)\n"
     "{\n"
     "    for (uint k = 0u; k < n; ++k)\n"
-    "        if (k != i && oit_is_surface(first + k) && oit_measure(oit_look(first + k, direction), candidate) < least)\n"
+    "        if (k != i && oit_is_surface(first + k) && oit_measure(oit_look_toward(first + k, direction), candidate) < least)\n"
     "            return false;\n"
     "    return true;\n"
     "}\n"
@@ -2494,14 +2464,11 @@ static const char *const oit_i_shader_oit_operator_connect_comp[] = {
     "    oit_surface[at] = (oit_surface[at] & ~(none << shift)) | min(layer, none) << shift;\n"
     "}\n"
     "\n"
-    "uint oit_choose(uint first, uint n, uint i, uint direction, uint other, uint m, inout uint from)\n"
+    "uint oit_choose(uint first, uint n, uint i, uint direction, uint other, uint m)\n"
     "{\n"
     "    float least;\n"
-    "    oit_side side = oit_look(first + i, direction);\n"
-    "    if ((OIT_STEP.w & OIT_CHOOSE_WINDOWED) != 0u)\n"
-    "        return oit_best_within(side, other, m, from);\n"
-    "    uint best = (OIT_STEP.w & OIT_CHOOSE_GROUPED) != 0u ? oit_best_of_part(side, other, m, least)\n",
-    "#line 207\n"
+    "    oit_side side = oit_look_toward(first + i, direction);\n"
+    "    uint best = (OIT_STEP.w & OIT_CHOOSE_GROUPED) != 0u ? oit_best_of_part(side, other, m, least)\n"
     "                                                        : oit_best_of_all(side, other, m, least);\n"
     "    if (OIT_STEP.z == OIT_PUBLISHED && best != OIT_NONE && oit_set[1].x == 0.0 &&\n"
     "        !oit_published_holds(first, n, i, other + best, direction, least))\n"
@@ -2511,15 +2478,14 @@ static const char *const oit_i_shader_oit_operator_connect_comp[] = {
     "\n"
     "void oit_operate(uint p)\n"
     "{\n"
-    "    uint first, n = oit_list(p, first), q, other;\n"
-    "    for (uint direction = OIT_STEP.x; direction < OIT_STEP.y; ++direction) {\n"
-    "        uint m = oit_beside(p, direction, q) ? oit_list(q, other) : 0u, from = 0u;\n"
-    "        for (uint i = 0u; i < n; ++i) {\n"
-    "            uint best = OIT_NONE;\n"
-    "            if (m > 0u && oit_is_surface(first + i))\n"
-    "                best = oit_choose(first, n, i, direction, other, m, from);\n"
-    "            oit_set_link(first + i, direction, best);\n"
-    "        }\n"
+    "    uint direction = OIT_STEP.x, first, n = oit_list(p, first), q, other;\n"
+    "    uint m = oit_beside(p, direction, q) ? oit_list(q, other) : 0u;\n"
+    "    for (uint i = 0u; i < n; ++i) {\n"
+    "        uint best = OIT_NONE;\n"
+    "        if (m > 0u && oit_is_surface(first + i))\n",
+    "#line 105\n"
+    "            best = oit_choose(first, n, i, direction, other, m);\n"
+    "        oit_set_link(first + i, direction, best);\n"
     "    }\n"
     "    if ((OIT_STEP.w & OIT_CHOOSE_COUNTS) != 0u)\n"
     "        atomicAdd(oit_surface[0], oit_pairs);\n"
@@ -2613,19 +2579,13 @@ static const char *const oit_i_shader_oit_operator_group_comp[] = {
 static const char *const oit_i_shader_oit_operator_jump_comp[] = {
     "#line 1\n"
     "// For: oit_buffers.h\n"
-    "// Distances carried 32 pixels along a row or a column in one pass, both ways: a work item takes 32 pixels in turn, and\n"
-    "// what lies beyond its ends as it was before the pass, so that the result depends on nothing but the values before\n"
-    "// (they go from oit_before to oit_set_after). Never less than the true distance: each is that of a path. OIT_STEP: x: 0\n"
-    "// rows, 1 columns; y: number of the pass; z: 1: until nothing changes.\n"
+    "// Distances carried 32 pixels along a row or a column in one pass, both ways: a work item takes a stretch of 32 pixels in\n"
+    "// turn, where they lie. Stretches side by side take turns, too: what lies beyond the ends of one does not change while it is\n"
+    "// read, so that the result depends on nothing but the values before. Never less than the true distance: each is that of a\n"
+    "// path. OIT_STEP: x: 0 rows, 1 columns; y: number of the pass: four are a round; z: 1: the second, fourth, ... stretches;\n"
+    "// w: where a word for each 32 x 32 pixels lies, one more than the last pass that changed something there; 0: none.\n"
     "#define OIT_OWN_MAIN 1\n"
     "const uint oit_reach = 32u;\n"
-    "\n"
-    "// In words 4 to 7 of the header, in turn, whether a pass has changed anything. Both passes before this one have not: all\n"
-    "// is as it will be, and the same in both places.\n"
-    "bool oit_is_stable()\n"
-    "{\n"
-    "    return OIT_STEP.z != 0u && oit_surface[4u + (OIT_STEP.y + 3u & 3u)] + oit_surface[4u + (OIT_STEP.y + 2u & 3u)] == 0u;\n"
-    "}\n"
     "\n"
     "uint oit_nearer(uint own, uint other)\n"
     "{\n"
@@ -2633,44 +2593,56 @@ static const char *const oit_i_shader_oit_operator_jump_comp[] = {
     "    return !kept && other < OIT_BLOCKED - 1u ? min(own, other + 1u) : own;\n"
     "}\n"
     "\n"
-    "// All of pixel p toward which values come from `direction`; inside: they are of this pass.\n"
-    "bool oit_carry(uint p, uint direction, bool inside, bool again)\n"
+    "// To pixel p from the one beside, of which these are the slots.\n"
+    "bool oit_carry(uint p, uint direction, inout uint other)\n"
     "{\n"
-    "    uint first, n = oit_list(p, first), q, other;\n"
-    "    bool changed = false, beside = oit_beside(p, direction, q);\n"
-    "    if (beside)\n"
-    "        oit_list(q, other);\n"
+    "    uint first, n = oit_list(p, first);\n"
+    "    bool changed = false;\n"
     "    for (uint i = 0u; i < n; ++i) {\n"
-    "        uint slot = first + i, layer = beside ? oit_link(slot, direction) : OIT_NONE;\n"
-    "        uint own = oit_surface[(again ? OIT_IN_AFTER : OIT_IN_BEFORE) + slot], word = own;\n"
-    "        if (layer != OIT_NONE) {\n"
-    "            uint come = oit_surface[(inside ? OIT_IN_AFTER : OIT_IN_BEFORE) + other + layer];\n"
-    "            word = oit_nearer(own & 65535u, come & 65535u) | oit_nearer(own >> 16u, come >> 16u) << 16u;\n"
+    "        uint slot = first + i, layer = oit_link(slot, direction), own = oit_surface[OIT_IN_REACH + slot];\n"
+    "        uint come = layer == OIT_NONE ? own : oit_surface[OIT_IN_REACH + other + layer];\n"
+    "        uint word = oit_nearer(own & 65535u, come & 65535u) | oit_nearer(own >> 16u, come >> 16u) << 16u;\n"
+    "        if (word != own) {\n"
+    "            oit_surface[OIT_IN_REACH + slot] = word;\n"
+    "            changed = true;\n"
     "        }\n"
-    "        if (word != own || !again)\n"
-    "            oit_surface[OIT_IN_AFTER + slot] = word;\n"
-    "        changed = changed || word != own;\n"
     "    }\n"
+    "    other = first;\n"
     "    return changed;\n"
+    "}\n"
+    "\n"
+    "// Whether nothing has changed here and on either side since the stretch was looked at last, a round ago.\n"
+    "bool oit_is_done(uint tile, uint step, bool low, bool high)\n"
+    "{\n"
+    "    if (OIT_STEP.w == 0u || OIT_STEP.y < 4u)\n"
+    "        return false;\n"
+    "    uint last = oit_surface[OIT_STEP.w + tile];\n"
+    "    last = max(last, low ? oit_surface[OIT_STEP.w + tile - step] : 0u);\n"
+    "    last = max(last, high ? oit_surface[OIT_STEP.w + tile + step] : 0u);\n"
+    "    return last + 3u <= OIT_STEP.y;\n"
     "}\n"
     "\n"
     "void main()\n"
     "{\n"
-    "    uvec2 size = uvec2(oit_area.zw), at = gl_GlobalInvocationID.xy;\n"
+    "    oit_take_numbers();\n"
+    "    uvec2 size = uvec2(oit_area.zw), tiles = (size + oit_reach - 1u) / oit_reach;\n"
+    "    uvec2 at = uvec2(gl_GlobalInvocationID.x, 2u * gl_GlobalInvocationID.y + OIT_STEP.z); // x across, y along\n"
     "    bool column = OIT_STEP.x != 0u, changed = false;\n"
-    "    if (at == uvec2(0u))\n"
-    "        oit_surface[4u + (OIT_STEP.y + 1u & 3u)] = 0u;\n"
-    "    uvec2 start = column ? uvec2(at.x, at.y * oit_reach) : uvec2(at.y * oit_reach, at.x); // x is what is long\n"
-    "    if (any(greaterThanEqual(start, size)) || oit_is_stable())\n"
+    "    uvec2 start = column ? uvec2(at.x, at.y * oit_reach) : uvec2(at.y * oit_reach, at.x), tile = start / oit_reach;\n"
+    "    if (any(greaterThanEqual(start, size)))\n"
     "        return;\n"
-    "    uint p = start.y * size.x + start.x, stride = column ? size.x : 1u;\n"
-    "    uint n = min(oit_reach, column ? size.y - start.y : size.x - start.x), back = column ? 2u : 0u;\n"
+    "    uint p = start.y * size.x + start.x, stride = column ? size.x : 1u, back = column ? OIT_DOWNWARD : OIT_LEFTWARD;\n"
+    "    uint rest = column ? size.y - start.y : size.x - start.x, n = min(oit_reach, rest), own = tile.y * tiles.x + tile.x, other;\n"
+    "    if (oit_is_done(own, column ? tiles.x : 1u, at.y > 0u, rest > n))\n"
+    "        return;\n"
+    "    oit_list(at.y > 0u ? p - stride : p, other);\n"
     "    for (uint i = 0u; i < n; ++i)\n"
-    "        changed = oit_carry(p + i * stride, back, i > 0u, false) || changed;\n"
+    "        changed = oit_carry(p + i * stride, back, other) || changed;\n"
+    "    oit_list(rest > n ? p + n * stride : p, other);\n"
     "    for (uint i = n; i > 0u; --i)\n"
-    "        changed = oit_carry(p + (i - 1u) * stride, back + 1u, i < n, true) || changed;\n"
-    "    if (changed)\n"
-    "        oit_surface[4u + (OIT_STEP.y & 3u)] = 1u;\n"
+    "        changed = oit_carry(p + (i - 1u) * stride, back + 1u, other) || changed;\n"
+    "    if (changed && OIT_STEP.w != 0u)\n"
+    "        oit_surface[OIT_STEP.w + own] = OIT_STEP.y + 1u;\n"
     "}\n",
     0};
 static const char *const oit_i_shader_oit_operator_law_comp[] = {
@@ -2753,20 +2725,122 @@ static const char *const oit_i_shader_oit_operator_mutual_comp[] = {
     "// invocation has taken away meanwhile was not to this fragment, or would have stayed.\n"
     "void oit_operate(uint p)\n"
     "{\n"
-    "    uint first, n = oit_list(p, first), q, other;\n"
-    "    for (uint direction = 0u; direction < 4u; ++direction) {\n"
-    "        if (!oit_beside(p, direction, q))\n"
-    "            continue;\n"
-    "        oit_list(q, other);\n"
-    "        bool wide = OIT_IN_FAR_LINKS != 0u;\n"
-    "        uint none = wide ? 65535u << (16u * (direction & 1u)) : 255u << (8u * direction);\n"
-    "        uint at = wide && direction >= 2u ? OIT_IN_FAR_LINKS : OIT_IN_LINKS;\n"
-    "        for (uint i = 0u; i < n; ++i) {\n"
-    "            uint layer = oit_link(first + i, direction);\n"
-    "            if (layer != OIT_NONE && oit_link(other + layer, direction ^ 1u) != i)\n"
-    "                oit_surface[at + first + i] |= none;\n"
-    "        }\n"
+    "    uint first, n = oit_list(p, first), firsts[4];\n"
+    "    bool wide = OIT_IN_FAR_LINKS != 0u;\n"
+    "    for (uint d = 0u; d < 4u; ++d) {\n"
+    "        uint q;\n"
+    "        firsts[d] = 0u;\n"
+    "        if (oit_beside(p, d, q))\n"
+    "            oit_list(q, firsts[d]);\n"
     "    }\n"
+    "    for (uint i = 0u; i < n; ++i) {\n"
+    "        uvec2 none = uvec2(0u); // of the two words, or all in the first\n"
+    "        for (uint d = 0u; d < 4u; ++d) {\n"
+    "            uint layer = oit_link(first + i, d);\n"
+    "            bool lost = layer != OIT_NONE && oit_link(firsts[d] + layer, d ^ 1u) != i;\n"
+    "            none[wide ? d >> 1u : 0u] |= lost ? (wide ? 65535u << 16u * (d & 1u) : 255u << 8u * d) : 0u;\n"
+    "        }\n"
+    "        if (none.x != 0u)\n"
+    "            oit_surface[OIT_IN_LINKS + first + i] |= none.x;\n"
+    "        if (none.y != 0u)\n"
+    "            oit_surface[OIT_IN_FAR_LINKS + first + i] |= none.y;\n"
+    "    }\n"
+    "}\n",
+    0};
+static const char *const oit_i_shader_oit_operator_pairs_glsl[] = {
+    "#line 1\n"
+    "// For: oit_buffers.h\n"
+    "// How well two fragments of pixels side by side would join (Carnecky 2013, section 4.4, equations 1 to 3): what both\n"
+    "// searches for links measure by. OIT_STEP.w: bits of OIT_CHOOSE_*.\n"
+    "#define OIT_CHOOSE_COUNTS 1u\n"
+    "#define OIT_CHOOSE_GROUPED 2u\n"
+    "#define OIT_DEPTH_WEIGHT oit_set[0].x\n"
+    "#define OIT_NORMAL_WEIGHT oit_set[0].y\n"
+    "#define OIT_PER_RADIUS oit_set[0].z\n"
+    "#define OIT_LIMIT_APART oit_set[0].w\n"
+    "#define OIT_NEVER uintBitsToFloat(0x7f800000u) // infinity\n"
+    "uint oit_pairs = 0u;\n"
+    "\n"
+    "struct oit_side // of a pair: the one that looks\n"
+    "{\n"
+    "    float depth, predicted; // window depth, and distance along the view that its slope makes for the pixel beside\n"
+    "    float ahead;            // what the slope adds to the depth on the way there\n"
+    "    uint direction;\n"
+    "    vec2 slope;\n"
+    "    vec3 normal;\n"
+    "    vec2 uv;\n"
+    "    uint part;\n"
+    "};\n"
+    "\n"
+    "vec2 oit_record_slope(uint at)\n"
+    "{\n"
+    "    return unpackHalf2x16(OIT_WORD(at, OIT_AT_SLOPE)) * (1.0 / 4096.0);\n"
+    "}\n"
+    "\n"
+    "float oit_ahead(vec2 slope, uint direction)\n"
+    "{\n"
+    "    float ahead = direction < 2u ? slope.x : slope.y;\n"
+    "    return (direction & 1u) != 0u ? ahead : -ahead;\n"
+    "}\n"
+    "\n"
+    "oit_side oit_toward(oit_side side, uint direction)\n"
+    "{\n"
+    "    side.direction = direction;\n"
+    "    side.ahead = oit_ahead(side.slope, direction);\n"
+    "    side.predicted = oit_distance(side.depth + side.ahead);\n"
+    "    return side;\n"
+    "}\n"
+    "\n"
+    "// Toward no side yet.\n"
+    "oit_side oit_look(uint slot)\n"
+    "{\n"
+    "    uint at = oit_record(slot);\n"
+    "    oit_side side;\n"
+    "    side.slope = oit_record_slope(at);\n"
+    "    side.depth = side.predicted = oit_record_window_depth(at);\n"
+    "    side.ahead = 0.0;\n"
+    "    side.direction = 0u;\n"
+    "    side.normal = oit_record_normal(at);\n"
+    "    side.part = OIT_WORD(at, OIT_AT_PART);\n"
+    "    side.uv = vec2(0.0);\n"
+    "#if OIT_HAS_UV\n"
+    "    side.uv = oit_uv(slot);\n"
+    "#endif\n"
+    "    return side;\n"
+    "}\n"
+    "\n"
+    "// How far apart in depth, in radii.\n"
+    "float oit_apart(oit_side side, uint at)\n"
+    "{\n"
+    "    return abs(side.predicted - oit_distance(oit_record_window_depth(at))) * OIT_PER_RADIUS;\n"
+    "}\n"
+    "\n"
+    "// Two units of rounding may leave the product of unit vectors above 1; bends that are not negative are what the window\n"
+    "// stops by.\n"
+    "float oit_bend(oit_side side, uint at)\n"
+    "{\n"
+    "    return max(1.0 - dot(side.normal, oit_record_normal(at)), 0.0);\n"
+    "}\n"
+    "\n"
+    "bool oit_may_join(oit_side side, uint at)\n"
+    "{\n"
+    "    ++oit_pairs;\n"
+    "    return OIT_WORD(at, OIT_AT_PART) == side.part && oit_record_blend(at) == 0u;\n"
+    "}\n"
+    "\n"
+    "// Within the limit of what its slope predicts, or where a surface is found whose slope changes steadily from the one's to\n"
+    "// the other's: between what the two slopes say. So a surface holds together where it is seen at a grazing angle, and\n"
+    "// beyond the limit nothing is glued to what lies behind it and slopes alike.\n"
+    "bool oit_is_continuous(oit_side side, uint at, float apart)\n"
+    "{\n"
+    "    float rise = oit_record_window_depth(at) - side.depth;\n"
+    "    return apart <= OIT_LIMIT_APART || (rise > side.ahead) != (rise > oit_ahead(oit_record_slope(at), side.direction));\n"
+    "}\n"
+    "\n"
+    "float oit_measure_by_depth(oit_side side, uint at, float apart)\n"
+    "{\n"
+    "    return oit_is_continuous(side, at, apart) ? OIT_DEPTH_WEIGHT * apart + OIT_NORMAL_WEIGHT * oit_bend(side, at)\n"
+    "                                              : OIT_NEVER;\n"
     "}\n",
     0};
 static const char *const oit_i_shader_oit_operator_size_comp[] = {
@@ -2813,6 +2887,7 @@ static const char *const oit_i_shader_oit_operator_size_comp[] = {
     "\n"
     "void main()\n"
     "{\n"
+    "    oit_take_numbers();\n"
     "    uvec2 size = uvec2(oit_area.zw), at = gl_GlobalInvocationID.xy;\n"
     "    bool column = OIT_STEP.x != 0u;\n"
     "    uvec2 start = column ? uvec2(at.x, at.y * oit_reach) : uvec2(at.y * oit_reach, at.x); // x is what is long\n"
@@ -2938,6 +3013,137 @@ static const char *const oit_i_shader_oit_operator_sort_comp[] = {
     "            oit_surface[OIT_IN_ORDER + first + place] = first + i + k;\n"
     "        }\n"
     "    }\n"
+    "}\n",
+    0};
+static const char *const oit_i_shader_oit_operator_window_comp[] = {
+    "#line 1\n"
+    "// For: oit_buffers.h\n"
+    "// What each surface fragment likes best of the pixels beside its own by predicted depth and normal, as oit_operator_connect\n"
+    "// finds it, without looking at all of them: runs are sorted, and distance ascends with depth. From the predicted depth\n"
+    "// outward on both sides, the nearer gap first, until the gap alone weighs more than the best so far. After\n"
+    "// oit_operator_pairs.glsl. oit_set[1].y: -1 where the eye looks along +z, whose distances fall from the eye on.\n"
+    "// Loops end where their conditions stand: a driver that masks lanes goes round once more for a condition at the top.\n"
+    "\n"
+    "// The run of a pixel beside, at the place where the predicted depth belongs: the two records around it. Surfaces mostly\n"
+    "// keep their order, so that the next fragment's place is near.\n"
+    "struct oit_window\n"
+    "{\n"
+    "    uint first, count, from; // from: of the one behind\n"
+    "    uint before, behind;     // records\n"
+    "    float low, high;         // their distances, ascending from the eye on\n"
+    "};\n"
+    "\n"
+    "float oit_ascending(uint at)\n"
+    "{\n"
+    "    return oit_distance(oit_record_window_depth(at)) * oit_set[1].y;\n"
+    "}\n"
+    "\n"
+    "oit_window oit_open(uint p, uint direction)\n"
+    "{\n"
+    "    uint q;\n"
+    "    oit_window w = oit_window(0u, 0u, 0u, 0u, 0u, -OIT_NEVER, OIT_NEVER);\n"
+    "    if (oit_beside(p, direction, q))\n"
+    "        w.count = oit_list(q, w.first);\n"
+    "    if (w.count > 0u) {\n"
+    "        w.behind = oit_record(w.first);\n"
+    "        w.high = oit_ascending(w.behind);\n"
+    "    }\n"
+    "    return w;\n"
+    "}\n"
+    "\n"
+    "// On to where what is before comes before `place`, and what is behind does not.\n"
+    "void oit_move(inout oit_window w, float place)\n"
+    "{\n"
+    "    bool on;\n"
+    "    do {\n"
+    "        bool up = w.from < w.count && w.high < place, down = w.from > 0u && !up && !(w.low < place);\n"
+    "        w.from += up ? 1u : down ? 0xffffffffu : 0u;\n"
+    "        uint index = up ? w.from : w.from - 1u, at = 0u;\n"
+    "        float distance = up ? OIT_NEVER : -OIT_NEVER;\n"
+    "        if ((up || down) && index < w.count) {\n"
+    "            at = oit_record(w.first + index);\n"
+    "            distance = oit_ascending(at);\n"
+    "        }\n"
+    "        if (up) {\n"
+    "            w.before = w.behind;\n"
+    "            w.low = w.high;\n"
+    "            w.behind = at;\n"
+    "            w.high = distance;\n"
+    "        } else if (down) {\n"
+    "            w.behind = w.before;\n"
+    "            w.high = w.low;\n"
+    "            w.before = at;\n"
+    "            w.low = distance;\n"
+    "        }\n"
+    "        on = up ? w.from < w.count && w.high < place : down && w.from > 0u && !(w.low < place);\n"
+    "    } while (on);\n"
+    "}\n"
+    "\n"
+    "uint oit_choose(oit_side side, uint direction, inout oit_window w)\n"
+    "{\n"
+    "    side = oit_toward(side, direction);\n"
+    "    float place = side.predicted * oit_set[1].y, least = OIT_NEVER;\n"
+    "    oit_move(w, place);\n"
+    "    uint before = w.from - 1u, behind = w.from, best = OIT_NONE; // before: beyond the run when it has passed 0\n"
+    "    uint at_before = w.before, at_behind = w.behind;\n"
+    "    float gap_before = abs(place - w.low) * OIT_PER_RADIUS, gap_behind = abs(place - w.high) * OIT_PER_RADIUS;\n"
+    "    gap_before = before < w.count ? gap_before : OIT_NEVER;\n"
+    "    gap_behind = behind < w.count ? gap_behind : OIT_NEVER;\n"
+    "    bool on;\n"
+    "    do {\n"
+    "        bool back = gap_before < gap_behind;\n"
+    "        float gap = back ? gap_before : gap_behind;\n"
+    "        uint i = back ? before : behind, at = back ? at_before : at_behind, next = back ? i - 1u : i + 1u;\n"
+    "        on = !(OIT_DEPTH_WEIGHT * gap > least) && i < w.count;\n"
+    "        if (on) {\n"
+    "            float measure = oit_may_join(side, at) ? oit_measure_by_depth(side, at, gap) : OIT_NEVER;\n"
+    "            bool better = measure < least || (measure == least && best != OIT_NONE && i < best);\n"
+    "            least = better ? measure : least;\n"
+    "            best = better ? i : best;\n"
+    "            gap = OIT_NEVER;\n"
+    "            if (next < w.count) {\n"
+    "                at = oit_record(w.first + next);\n"
+    "                gap = abs(place - oit_ascending(at)) * OIT_PER_RADIUS;\n"
+    "            }\n"
+    "            before = back ? next : before;\n"
+    "            behind = back ? behind : next;\n"
+    "            at_before = back ? at : at_before;\n"
+    "            at_behind = back ? at_behind : at;\n",
+    "#line 93\n"
+    "            gap_before = back ? gap : gap_before;\n"
+    "            gap_behind = back ? gap_behind : gap;\n"
+    "            on = !(OIT_DEPTH_WEIGHT * min(gap_before, gap_behind) > least);\n"
+    "        }\n"
+    "    } while (on);\n"
+    "    return best;\n"
+    "}\n"
+    "\n"
+    "void oit_set_links(uint slot, uvec4 layers)\n"
+    "{\n"
+    "    bool wide = OIT_IN_FAR_LINKS != 0u;\n"
+    "    layers = min(layers, uvec4(wide ? 65535u : 255u));\n"
+    "    uvec2 pairs = layers.xz | layers.yw << (wide ? 16u : 8u);\n"
+    "    oit_surface[OIT_IN_LINKS + slot] = wide ? pairs.x : pairs.x | pairs.y << 16u;\n"
+    "    if (wide)\n"
+    "        oit_surface[OIT_IN_FAR_LINKS + slot] = pairs.y;\n"
+    "}\n"
+    "\n"
+    "void oit_operate(uint p)\n"
+    "{\n"
+    "    uint first, n = oit_list(p, first);\n"
+    "    oit_window left = oit_open(p, OIT_LEFTWARD), right = oit_open(p, OIT_RIGHTWARD);\n"
+    "    oit_window down = oit_open(p, OIT_DOWNWARD), up = oit_open(p, OIT_UPWARD);\n"
+    "    for (uint i = 0u; i < n; ++i) {\n"
+    "        oit_side side = oit_look(first + i);\n"
+    "        uvec4 layers;\n"
+    "        layers.x = oit_choose(side, OIT_LEFTWARD, left);\n"
+    "        layers.y = oit_choose(side, OIT_RIGHTWARD, right);\n"
+    "        layers.z = oit_choose(side, OIT_DOWNWARD, down);\n"
+    "        layers.w = oit_choose(side, OIT_UPWARD, up);\n"
+    "        oit_set_links(first + i, oit_is_surface(first + i) ? layers : uvec4(OIT_NONE));\n"
+    "    }\n"
+    "    if ((OIT_STEP.w & OIT_CHOOSE_COUNTS) != 0u)\n"
+    "        atomicAdd(oit_surface[0], oit_pairs);\n"
     "}\n",
     0};
 static const char *const oit_i_shader_oit_ordered_glsl[] = {
@@ -4289,6 +4495,7 @@ enum {
     OIT_I_PROGRAM_CURVE,
     OIT_I_PROGRAM_GROUP,
     OIT_I_PROGRAM_SIZE,
+    OIT_I_PROGRAM_WINDOW,
     OIT_I_PROGRAM_LAID,
     OIT_I_PROGRAM_LAID_LIGHT, /* the second draw, as of OIT_I_PROGRAM_COMPOSE */
     OIT_I_PROGRAMS,
@@ -5569,10 +5776,12 @@ static void oit_i_ordered_source(oit_i_source *source, int program, const oit_de
 
 /* In the order of OIT_I_PROGRAM_SORT, ... */
 static const oit_i_strings oit_i_operators[] = {
-    oit_i_shader_oit_operator_sort_comp,  oit_i_shader_oit_operator_connect_comp, oit_i_shader_oit_operator_mutual_comp,
-    oit_i_shader_oit_operator_law_comp,   oit_i_shader_oit_operator_bound_comp,   oit_i_shader_oit_operator_solve_comp,
-    oit_i_shader_oit_operator_jump_comp,  oit_i_shader_oit_operator_chain_comp,   oit_i_shader_oit_operator_curve_comp,
-    oit_i_shader_oit_operator_group_comp, oit_i_shader_oit_operator_size_comp};
+    oit_i_shader_oit_operator_sort_comp,   oit_i_shader_oit_operator_connect_comp,
+    oit_i_shader_oit_operator_mutual_comp, oit_i_shader_oit_operator_law_comp,
+    oit_i_shader_oit_operator_bound_comp,  oit_i_shader_oit_operator_solve_comp,
+    oit_i_shader_oit_operator_jump_comp,   oit_i_shader_oit_operator_chain_comp,
+    oit_i_shader_oit_operator_curve_comp,  oit_i_shader_oit_operator_group_comp,
+    oit_i_shader_oit_operator_size_comp,   oit_i_shader_oit_operator_window_comp};
 
 /* What every operator begins with, after the preamble. */
 static void oit_i_operator_source(oit_i_source *source) {
@@ -5593,12 +5802,19 @@ static void oit_i_contour_source(oit_i_source *source, int contours) {
         oit_i_add_chunks(source, oit_i_shader_oit_contour_glsl);
 }
 
+/* Whether a work item takes a stretch of a row or of a column, not a pixel. */
+static int oit_i_goes_along(int program) {
+    return program == OIT_I_PROGRAM_JUMP || program == OIT_I_PROGRAM_SIZE || program == OIT_I_PROGRAM_CHAIN;
+}
+
 static void oit_i_built_in_operator_source(oit_i_source *source, int program, int contours) {
     oit_i_add(source, contours ? "#define OIT_CONTOURS 1\n" : "#define OIT_CONTOURS 0\n");
-    if (program == OIT_I_PROGRAM_JUMP || program == OIT_I_PROGRAM_SIZE)
+    if (oit_i_goes_along(program))
         oit_i_add(source, "#define OIT_OWN_MAIN 1\n");
     oit_i_operator_source(source);
     oit_i_add_chunks(source, oit_i_shader_oit_operator_glsl);
+    if (program == OIT_I_PROGRAM_CONNECT || program == OIT_I_PROGRAM_WINDOW)
+        oit_i_add_chunks(source, oit_i_shader_oit_operator_pairs_glsl);
     if (program == OIT_I_PROGRAM_CURVE)
         oit_i_contour_source(source, contours);
     oit_i_add_chunks(source, oit_i_operators[program - OIT_I_PROGRAM_SORT]);
@@ -6779,7 +6995,7 @@ OIT_I_API oit_result oit_begin(oit_context *oit, const oit_frame *frame) {
      bound    order, links read; reach, beta, gamma written               mutual
      size     links, reach read; sizes both, in place: only distances that have come for certain are used     bound
      solve    links read; reach both, in place: see the shader; one field to spare      bound, law, solve
-     jump     links, reach read; spare written, which then is reach       bound, jump
+     jump     links read; reach both, in place: stretches side by side take turns; what has changed in spare     bound, jump
      chain    links, base or radial read; spare written, which then is that       law, curve, chain
      curve    order, links read; kappa, base, radial written              mutual
      host     anything read; base and fields of the own pixel, or spare, written      any of these
@@ -7102,9 +7318,11 @@ static int oit_i_greatest_steps(const oit_smart *smart) {
 }
 
 /* Iterations of equation 8 that one pair of passes along rows and columns stands for: few, because along rows and then
-   along columns is not quite both at a time. */
-#define OIT_I_CHAIN_STEPS 25
+   along columns is not quite both at a time. Pairs take turns in which comes first, so that errors of the order cancel, and
+   what one ends with and the next begins with is one pass. */
+#define OIT_I_CHAIN_STEPS 7
 #define OIT_I_JUMP_REACH 32
+#define OIT_I_JUMP_BENDS 2
 
 /* Passes along rows and columns in turn that measure the surface's width, as far as smart.thin may matter. */
 static int oit_i_size_passes(const oit_smart *smart) {
@@ -7116,16 +7334,28 @@ static int oit_i_size_passes(const oit_smart *smart) {
 }
 
 static int oit_i_jump_rounds(const oit_smart *smart, int steps) {
-    int straight = (steps + OIT_I_JUMP_REACH - 1) / OIT_I_JUMP_REACH + 3;
+    int borders =
+        (steps + OIT_I_JUMP_REACH - 1) / OIT_I_JUMP_REACH; /* of stretches; a round passes two, the first one */
+    int straight = 1 + (borders + 1) / 2;
     if (steps == 0)
         return 0;
     if (smart->until_stable)
         return steps; /* each round is worth an iteration at least */
-    return smart->rounds ? smart->rounds : straight;
+    return smart->rounds ? smart->rounds : straight + OIT_I_JUMP_BENDS;
 }
 
-static int oit_i_chain_passes(int iterations) {
-    return 2 * ((iterations + OIT_I_CHAIN_STEPS - 1) / OIT_I_CHAIN_STEPS);
+/* Whether what a fragment is linked to is linked back to it. Chains are followed only then. */
+static int oit_i_links_are_mutual(const oit_context *oit) {
+    return !oit->link.no_reverse_check && oit->link.criterion != OIT_LINK_PUBLISHED;
+}
+
+/* So many iterations of equation 8 without a mask; chains are followed only where links are mutual. */
+static void oit_i_add_smoothing(oit_context *oit, int section, int iterations) {
+    if (!oit_i_links_are_mutual(oit))
+        oit_i_add_stage(oit, OIT_I_PROGRAM_SOLVE, section, iterations);
+    else if (iterations > 0)
+        oit_i_add_stage(oit, OIT_I_PROGRAM_CHAIN, section,
+                        (iterations + OIT_I_CHAIN_STEPS - 1) / OIT_I_CHAIN_STEPS + 1);
 }
 
 static void oit_i_plan_smart(oit_context *oit) {
@@ -7137,8 +7367,8 @@ static void oit_i_plan_smart(oit_context *oit) {
     if (smart->thin > 0.0f)
         oit_i_add_stage(oit, OIT_I_PROGRAM_SIZE, 0, oit_i_size_passes(smart));
     if (smart->jumps) {
-        oit_i_add_stage(oit, OIT_I_PROGRAM_JUMP, 0, 2 * oit_i_jump_rounds(smart, greatest));
-        oit_i_add_stage(oit, OIT_I_PROGRAM_CHAIN, OIT_I_AT_BASE, oit_i_chain_passes(base));
+        oit_i_add_stage(oit, OIT_I_PROGRAM_JUMP, 0, 4 * oit_i_jump_rounds(smart, greatest));
+        oit_i_add_smoothing(oit, OIT_I_AT_BASE, base);
     } else {
         oit_i_add_stage(oit, OIT_I_PROGRAM_SOLVE, OIT_I_AT_BASE, greatest > base ? greatest : base);
     }
@@ -7159,8 +7389,12 @@ static void oit_i_plan(oit_context *oit, const oit_operator *op) {
     if (op->kind == OIT_RUN_LINK) {
         if (oit->link.search == OIT_SEARCH_BUCKETS)
             oit_i_add_stage(oit, OIT_I_PROGRAM_GROUP, 0, 1);
-        oit_i_add_stage(oit, OIT_I_PROGRAM_CONNECT, 0, oit->link.search == OIT_SEARCH_WINDOWED ? 1 : 4);
-        if (!oit->link.no_reverse_check && oit->link.criterion != OIT_LINK_PUBLISHED)
+        if (oit->link.search == OIT_SEARCH_WINDOWED)
+            oit_i_add_stage(oit, OIT_I_PROGRAM_WINDOW, 0, 1);
+        else
+            oit_i_add_stage(oit, OIT_I_PROGRAM_CONNECT, 0,
+                            4); /* a direction each: drivers end loops of too many rounds */
+        if (oit_i_links_are_mutual(oit))
             oit_i_add_stage(oit, OIT_I_PROGRAM_MUTUAL, 0, 1);
     } else if (op->kind == OIT_RUN_LAW) {
         oit_i_add_stage(oit, OIT_I_PROGRAM_LAW, (int)op->law.kind, 1);
@@ -7171,8 +7405,7 @@ static void oit_i_plan(oit_context *oit, const oit_operator *op) {
             oit_i_add_stage(oit, OIT_I_PROGRAM_LAW, OIT_LAW_GIVEN, 1);
         oit_i_add_stage(oit, OIT_I_PROGRAM_CURVE, 0, 1);
         if (oit->curvature.contours != OIT_CONTOURS_NONE)
-            oit_i_add_stage(oit, OIT_I_PROGRAM_CHAIN, OIT_I_AT_RADIAL,
-                            oit_i_chain_passes(oit->curvature.contour_iterations));
+            oit_i_add_smoothing(oit, OIT_I_AT_RADIAL, oit->curvature.contour_iterations);
     } else {
         if (oit_i_host_makes_base(oit, op) && !(oit->did & OIT_I_DID_BASE))
             oit_i_add_stage(oit, OIT_I_PROGRAM_LAW, OIT_LAW_GIVEN, 1);
@@ -7189,40 +7422,35 @@ typedef struct oit_i_numbers {
 } oit_i_numbers;
 
 /* Weights of the fragments that 0, 1, ... links lead to, after so many steps of equation 8 along one axis: a walk that goes
-   a link each way with probability `weight` in each. Returns how many links have to be followed. */
-static int oit_i_chain_weights(int steps, double weight, float out[16]) {
-    double w[17], next[17], sum = 0.0, tail = 0.0;
-    int i, k, reach = 15;
+   a link each way with probability `weight` in each. What lies beyond seven links is shared out. */
+static void oit_i_chain_weights(int steps, double weight, float out[8]) {
+    double w[33], next[32], sum = 0.0;
+    int i, k;
     memset(w, 0, sizeof w);
     w[0] = 1.0;
     for (i = 0; i < steps; ++i) {
-        for (k = 0; k < 16; ++k)
+        for (k = 0; k < 32; ++k)
             next[k] = w[k] + weight * (w[k ? k - 1 : 1] - 2.0 * w[k] + w[k + 1]);
-        memcpy(w, next, 16 * sizeof w[0]);
+        memcpy(w, next, sizeof next);
     }
-    while (reach > 1 && tail + 2.0 * w[reach] < 1e-2)
-        tail += 2.0 * w[reach--];
-    for (k = 0; k <= reach; ++k)
+    for (k = 0; k < 8; ++k)
         sum += (k ? 2.0 : 1.0) * w[k];
-    for (k = 0; k < 16; ++k)
-        out[k] = k <= reach ? (float)(w[k] / sum) : 0.0f;
-    return reach;
+    for (k = 0; k < 8; ++k)
+        out[k] = (float)(w[k] / sum);
 }
 
 /* Iterations of base that the k-th of the pairs of passes stands for: as even as may be. */
 static int oit_i_chain_steps(int iterations, int pairs, int k) {
-    return iterations / pairs + (k < iterations % pairs);
+    return k >= 0 && k < pairs ? iterations / pairs + (k < iterations % pairs) : 0;
 }
 
 static void oit_i_number_connect(const oit_context *oit, int step, oit_i_numbers *n) {
     const oit_link *link = &oit->link;
-    int windowed = link->search == OIT_SEARCH_WINDOWED;
     float infinite = (float)(1e300 * 1e300);
     double t[4];
-    n->at[4][0] = windowed ? 0u : (oit_i_u)step;
-    n->at[4][1] = windowed ? 4u : (oit_i_u)step + 1u;
+    n->at[4][0] = (oit_i_u)step;
     n->at[4][2] = (oit_i_u)link->criterion;
-    n->at[4][3] = (windowed ? 1u : 0u) | (link->count_pairs ? 2u : 0u) | (link->search == OIT_SEARCH_BUCKETS ? 4u : 0u);
+    n->at[4][3] = (link->count_pairs ? 1u : 0u) | (link->search == OIT_SEARCH_BUCKETS ? 2u : 0u);
     n->set[0][0] = link->depth_weight;
     n->set[0][1] = link->normal_weight;
     n->set[0][2] = 1.0f / link->radius;
@@ -7237,24 +7465,25 @@ static void oit_i_number_solve(const oit_context *oit, const oit_i_stage *stage,
     const oit_spread *spread = stage->what == OIT_I_AT_BASE   ? &smart->base
                                : stage->what == OIT_I_AT_BETA ? &smart->beta
                                                               : &smart->gamma;
+    int is_radial = stage->what == OIT_I_AT_RADIAL;
     n->at[2][0] = oit->sections[stage->what];
     n->at[2][1] = oit->sections[OIT_I_AT_SPARE];
-    n->at[4][0] = stage->what == OIT_I_AT_BASE && step < oit_i_greatest_steps(smart);
-    n->at[4][1] = step < spread->iterations;
+    n->at[4][0] = stage->what == OIT_I_AT_BASE && !smart->jumps && step < oit_i_greatest_steps(smart);
+    n->at[4][1] = is_radial || step < spread->iterations;
     n->at[4][2] = stage->what == OIT_I_AT_BETA ? 1u : stage->what == OIT_I_AT_GAMMA ? 2u : 0u;
-    n->set[0][0] = spread->lambda * (smart->published ? 0.25f : 0.125f);
+    n->set[0][0] = is_radial ? 0.125f : spread->lambda * (smart->published ? 0.25f : 0.125f);
 }
 
 static void oit_i_number_chain(const oit_context *oit, const oit_i_stage *stage, int step, oit_i_numbers *n) {
-    int is_base = stage->what == OIT_I_AT_BASE;
+    int is_base = stage->what == OIT_I_AT_BASE, pairs = stage->count - 1;
     int all = is_base ? oit->smart.base.iterations : oit->curvature.contour_iterations;
-    int steps = oit_i_chain_steps(all, stage->count / 2, step / 2);
+    int steps = oit_i_chain_steps(all, pairs, step - 1) + oit_i_chain_steps(all, pairs, step);
     double lambda = is_base ? (double)oit->smart.base.lambda : 1.0;
-    float weights[16];
+    float weights[8];
     n->at[2][0] = oit->sections[stage->what];
     n->at[2][1] = oit->sections[OIT_I_AT_SPARE];
-    n->at[4][0] = (oit_i_u)(step ^ step >> 1) & 1u; /* rows, columns, columns, rows: errors of the order cancel */
-    n->at[4][1] = (oit_i_u)oit_i_chain_weights(steps, 0.125 * lambda, weights);
+    n->at[4][0] = (oit_i_u)step & 1u;
+    oit_i_chain_weights(steps, 0.125 * lambda, weights);
     memcpy(n->set, weights, sizeof weights);
 }
 
@@ -7339,10 +7568,18 @@ static void oit_i_number_sections(const oit_context *oit, oit_i_numbers *n) {
     n->at[5][3] = oit->sections[OIT_I_AT_RADIAL];
 }
 
+/* A word for each 32 x 32 pixels, in the section to spare, which jumps have no other use for; 0: it is too short. */
+static oit_i_u oit_i_tiles(const oit_context *oit) {
+    int64_t across = (oit->frame.width + OIT_I_JUMP_REACH - 1) / OIT_I_JUMP_REACH;
+    int64_t tiles = across * ((oit->frame.height + OIT_I_JUMP_REACH - 1) / OIT_I_JUMP_REACH);
+    return tiles <= (int64_t)oit->capacity ? oit->sections[OIT_I_AT_SPARE] : 0u;
+}
+
 static void oit_i_number_stage(const oit_context *oit, const oit_i_stage *stage, int step, oit_i_numbers *n) {
     const oit_law *law = &oit->law;
     switch (stage->program) {
     case OIT_I_PROGRAM_CONNECT:
+    case OIT_I_PROGRAM_WINDOW:
         oit_i_number_connect(oit, step, n);
         break;
     case OIT_I_PROGRAM_LAW:
@@ -7355,6 +7592,7 @@ static void oit_i_number_stage(const oit_context *oit, const oit_i_stage *stage,
     case OIT_I_PROGRAM_BOUND:
         n->at[4][0] = oit->smart.published != 0;
         n->at[4][1] = oit->smart.published && oit->smart.beta.process == OIT_PROCESS_GREATEST;
+        n->at[4][2] = oit_i_tiles(oit);
         break;
     case OIT_I_PROGRAM_SIZE:
         n->at[4][0] = (oit_i_u)step & 1u;
@@ -7364,11 +7602,10 @@ static void oit_i_number_stage(const oit_context *oit, const oit_i_stage *stage,
         oit_i_number_solve(oit, stage, step, n);
         break;
     case OIT_I_PROGRAM_JUMP:
-        n->at[2][0] = oit->sections[OIT_I_AT_REACH];
-        n->at[2][1] = oit->sections[OIT_I_AT_SPARE];
-        n->at[4][0] = (oit_i_u)step & 1u;
+        n->at[4][0] = (oit_i_u)step >> 1 & 1u;
         n->at[4][1] = (oit_i_u)step;
-        n->at[4][2] = oit->smart.until_stable != 0;
+        n->at[4][2] = (oit_i_u)step & 1u;
+        n->at[4][3] = oit_i_tiles(oit);
         break;
     case OIT_I_PROGRAM_CHAIN:
         oit_i_number_chain(oit, stage, step, n);
@@ -7402,17 +7639,20 @@ static void oit_i_begin_numbers(const oit_context *oit, oit_i_numbers *n) {
 /* The pass of the present stage: its program, groups, and the buffer of the surfaces in the place of the report. */
 static void oit_i_fill_operation(const oit_context *oit, oit_state *state) {
     const oit_i_stage *stage = &oit->stages[oit->stage];
-    int along = stage->program == OIT_I_PROGRAM_JUMP || stage->program == OIT_I_PROGRAM_SIZE, k = oit->stage_step & 1;
+    int along = oit_i_goes_along(stage->program), column;
     int size[2], i;
     oit_i_numbers numbers;
     oit_i_begin_numbers(oit, &numbers);
     oit_i_number_stage(oit, stage, oit->stage_step, &numbers);
     state->program = stage->program == OIT_I_PROGRAM_HOST ? oit->host_program : oit->programs[stage->program];
     state->storage_buffers[2] = oit->buffers[OIT_I_SURFACE];
-    size[0] = along && !k ? oit->frame.height : oit->frame.width;
-    size[1] = along && !k ? oit->frame.width : oit->frame.height;
+    column = along && numbers.at[4][0] != 0;
+    size[0] = along && !column ? oit->frame.height : oit->frame.width;
+    size[1] = along && !column ? oit->frame.width : oit->frame.height;
     if (along) /* across x, along y, so that few columns of a narrow image leave no work items idle */
         size[1] = (size[1] + OIT_I_JUMP_REACH - 1) / OIT_I_JUMP_REACH;
+    if (stage->program == OIT_I_PROGRAM_JUMP) /* every second */
+        size[1] = (size[1] + 1) / 2;
     for (i = 0; i < 2; ++i)
         state->groups[i] = (oit_i_u)((size[i] + 7) / 8);
     state->groups[2] = 1;
@@ -7441,9 +7681,7 @@ static void oit_i_swap_sections(oit_context *oit, int a, int b) {
 static void oit_i_advance_operation(oit_context *oit) {
     const oit_i_stage *stage = &oit->stages[oit->stage];
     int step = oit->stage_step;
-    if (stage->program == OIT_I_PROGRAM_JUMP)
-        oit_i_swap_sections(oit, OIT_I_AT_REACH, OIT_I_AT_SPARE);
-    else if (stage->program == OIT_I_PROGRAM_CHAIN || (stage->program == OIT_I_PROGRAM_HOST && stage->what))
+    if (stage->program == OIT_I_PROGRAM_CHAIN || (stage->program == OIT_I_PROGRAM_HOST && stage->what))
         oit_i_swap_sections(oit, stage->program == OIT_I_PROGRAM_CHAIN ? stage->what : oit->host_section,
                             OIT_I_AT_SPARE);
     else if (stage->program == OIT_I_PROGRAM_SOLVE &&

@@ -9,7 +9,23 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(std430, binding = OIT_BINDING_REPORT) buffer oit_surfaces { uint oit_surface[]; };
 #endif
 // Where the sections lie in it, a word a fragment each; 0: there is none.
+#ifdef OIT_COMPOSES
 layout(location = 0) uniform highp uvec4 oit_at[6];
+layout(location = 8) uniform highp vec4 oit_set[8]; // 0 to 3: of the operator's own
+#else
+layout(location = 0) uniform highp uvec4 oit_given_at[6];
+layout(location = 8) uniform highp vec4 oit_given_set[8];
+// Taken once: some drivers read a uniform lane by lane, wherever it stands in a loop.
+highp uvec4 oit_at[6];
+highp vec4 oit_set[8];
+void oit_take_numbers()
+{
+    for (int i = 0; i < 6; ++i)
+        oit_at[i] = oit_given_at[i];
+    for (int i = 0; i < 8; ++i)
+        oit_set[i] = oit_given_set[i];
+}
+#endif
 #define OIT_IN_ORDER oit_at[0].x   // number of the record
 #define OIT_IN_LINKS oit_at[0].y   // left, right, down, up: layers of the neighbours in their pixels, 8 bits each
 #define OIT_IN_FAR_LINKS oit_at[0].z // not 0: 16 bits each, the last two here
@@ -25,7 +41,6 @@ layout(location = 0) uniform highp uvec4 oit_at[6];
 #define OIT_IN_HOST oit_at[3]
 #define OIT_STEP oit_at[4]         // of the operator's own
 #define OIT_EXTRA_STEP oit_at[5]
-layout(location = 8) uniform highp vec4 oit_set[8]; // 0 to 3: of the operator's own
 
 #define OIT_LEFTWARD 0u
 #define OIT_RIGHTWARD 1u
@@ -278,6 +293,7 @@ void oit_operate(uint p);
 #ifndef OIT_OWN_MAIN
 void main()
 {
+    oit_take_numbers();
     uvec2 where = gl_GlobalInvocationID.xy;
     if (where.x < uint(oit_area.z) && where.y < uint(oit_area.w))
         oit_operate(where.y * uint(oit_area.z) + where.x);

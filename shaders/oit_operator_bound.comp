@@ -3,7 +3,7 @@
 // underneath (green) keeps it 0, being before (blue) makes gamma 1. By layer indices, surfaces only, and without the
 // differences that linked surfaces make which merely change places: what is left is surfaces that begin on the way to the
 // neighbour less those that end on it. OIT_STEP: x: 1: plain indices (published); y: 1: nothing is kept at 0, since equation
-// 9 as published has no b; equation 8 has.
+// 9 as published has no b; equation 8 has; z: as OIT_STEP.w of jumps.
 
 // Of those before `layer` in the list: how many are surfaces without a link that way; or, published, how many surfaces.
 // Kept from one call to the next, since layers mostly ascend.
@@ -65,7 +65,7 @@ void oit_operate(uint p)
         if (OIT_IN_GAMMA != 0u)
             oit_surface[OIT_IN_GAMMA + slot] = floatBitsToUint(before ? 1.0 : 0.0);
     }
-    if (p == 0u) // the passes of jumps that come first find that something has changed
-        for (uint i = 4u; i < 8u; ++i)
-            oit_surface[i] = 1u;
+    uvec2 at = uvec2(p % uint(oit_area.z), p / uint(oit_area.z));
+    if (OIT_STEP.z != 0u && all(equal(at & 31u, uvec2(0u)))) // no pass of jumps has changed anything there
+        oit_surface[OIT_STEP.z + at.y / 32u * ((uint(oit_area.z) + 31u) / 32u) + at.x / 32u] = 0u;
 }

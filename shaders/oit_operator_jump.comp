@@ -1,17 +1,11 @@
 // For: oit_buffers.h
-// Distances carried 32 pixels along a row or a column in one pass, both ways: a work item takes 32 pixels in turn, and
-// what lies beyond its ends as it was before the pass, so that the result depends on nothing but the values before
-// (they go from oit_before to oit_set_after). Never less than the true distance: each is that of a path. OIT_STEP: x: 0
-// rows, 1 columns; y: number of the pass; z: 1: until nothing changes.
+// Distances carried 32 pixels along a row or a column in one pass, both ways: a work item takes a stretch of 32 pixels in
+// turn, where they lie. Stretches side by side take turns, too: what lies beyond the ends of one does not change while it is
+// read, so that the result depends on nothing but the values before. Never less than the true distance: each is that of a
+// path. OIT_STEP: x: 0 rows, 1 columns; y: number of the pass: four are a round; z: 1: the second, fourth, ... stretches;
+// w: where a word for each 32 x 32 pixels lies, one more than the last pass that changed something there; 0: none.
 #define OIT_OWN_MAIN 1
 const uint oit_reach = 32u;
-
-// In words 4 to 7 of the header, in turn, whether a pass has changed anything. Both passes before this one have not: all
-// is as it will be, and the same in both places.
-bool oit_is_stable()
-{
-    return OIT_STEP.z != 0u && oit_surface[4u + (OIT_STEP.y + 3u & 3u)] + oit_surface[4u + (OIT_STEP.y + 2u & 3u)] == 0u;
-}
 
 uint oit_nearer(uint own, uint other)
 {
@@ -19,42 +13,54 @@ uint oit_nearer(uint own, uint other)
     return !kept && other < OIT_BLOCKED - 1u ? min(own, other + 1u) : own;
 }
 
-// All of pixel p toward which values come from `direction`; inside: they are of this pass.
-bool oit_carry(uint p, uint direction, bool inside, bool again)
+// To pixel p from the one beside, of which these are the slots.
+bool oit_carry(uint p, uint direction, inout uint other)
 {
-    uint first, n = oit_list(p, first), q, other;
-    bool changed = false, beside = oit_beside(p, direction, q);
-    if (beside)
-        oit_list(q, other);
+    uint first, n = oit_list(p, first);
+    bool changed = false;
     for (uint i = 0u; i < n; ++i) {
-        uint slot = first + i, layer = beside ? oit_link(slot, direction) : OIT_NONE;
-        uint own = oit_surface[(again ? OIT_IN_AFTER : OIT_IN_BEFORE) + slot], word = own;
-        if (layer != OIT_NONE) {
-            uint come = oit_surface[(inside ? OIT_IN_AFTER : OIT_IN_BEFORE) + other + layer];
-            word = oit_nearer(own & 65535u, come & 65535u) | oit_nearer(own >> 16u, come >> 16u) << 16u;
+        uint slot = first + i, layer = oit_link(slot, direction), own = oit_surface[OIT_IN_REACH + slot];
+        uint come = layer == OIT_NONE ? own : oit_surface[OIT_IN_REACH + other + layer];
+        uint word = oit_nearer(own & 65535u, come & 65535u) | oit_nearer(own >> 16u, come >> 16u) << 16u;
+        if (word != own) {
+            oit_surface[OIT_IN_REACH + slot] = word;
+            changed = true;
         }
-        if (word != own || !again)
-            oit_surface[OIT_IN_AFTER + slot] = word;
-        changed = changed || word != own;
     }
+    other = first;
     return changed;
+}
+
+// Whether nothing has changed here and on either side since the stretch was looked at last, a round ago.
+bool oit_is_done(uint tile, uint step, bool low, bool high)
+{
+    if (OIT_STEP.w == 0u || OIT_STEP.y < 4u)
+        return false;
+    uint last = oit_surface[OIT_STEP.w + tile];
+    last = max(last, low ? oit_surface[OIT_STEP.w + tile - step] : 0u);
+    last = max(last, high ? oit_surface[OIT_STEP.w + tile + step] : 0u);
+    return last + 3u <= OIT_STEP.y;
 }
 
 void main()
 {
-    uvec2 size = uvec2(oit_area.zw), at = gl_GlobalInvocationID.xy;
+    oit_take_numbers();
+    uvec2 size = uvec2(oit_area.zw), tiles = (size + oit_reach - 1u) / oit_reach;
+    uvec2 at = uvec2(gl_GlobalInvocationID.x, 2u * gl_GlobalInvocationID.y + OIT_STEP.z); // x across, y along
     bool column = OIT_STEP.x != 0u, changed = false;
-    if (at == uvec2(0u))
-        oit_surface[4u + (OIT_STEP.y + 1u & 3u)] = 0u;
-    uvec2 start = column ? uvec2(at.x, at.y * oit_reach) : uvec2(at.y * oit_reach, at.x); // x is what is long
-    if (any(greaterThanEqual(start, size)) || oit_is_stable())
+    uvec2 start = column ? uvec2(at.x, at.y * oit_reach) : uvec2(at.y * oit_reach, at.x), tile = start / oit_reach;
+    if (any(greaterThanEqual(start, size)))
         return;
-    uint p = start.y * size.x + start.x, stride = column ? size.x : 1u;
-    uint n = min(oit_reach, column ? size.y - start.y : size.x - start.x), back = column ? 2u : 0u;
+    uint p = start.y * size.x + start.x, stride = column ? size.x : 1u, back = column ? OIT_DOWNWARD : OIT_LEFTWARD;
+    uint rest = column ? size.y - start.y : size.x - start.x, n = min(oit_reach, rest), own = tile.y * tiles.x + tile.x, other;
+    if (oit_is_done(own, column ? tiles.x : 1u, at.y > 0u, rest > n))
+        return;
+    oit_list(at.y > 0u ? p - stride : p, other);
     for (uint i = 0u; i < n; ++i)
-        changed = oit_carry(p + i * stride, back, i > 0u, false) || changed;
+        changed = oit_carry(p + i * stride, back, other) || changed;
+    oit_list(rest > n ? p + n * stride : p, other);
     for (uint i = n; i > 0u; --i)
-        changed = oit_carry(p + (i - 1u) * stride, back + 1u, i < n, true) || changed;
-    if (changed)
-        oit_surface[4u + (OIT_STEP.y & 3u)] = 1u;
+        changed = oit_carry(p + (i - 1u) * stride, back + 1u, other) || changed;
+    if (changed && OIT_STEP.w != 0u)
+        oit_surface[OIT_STEP.w + own] = OIT_STEP.y + 1u;
 }

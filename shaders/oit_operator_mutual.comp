@@ -3,18 +3,24 @@
 // invocation has taken away meanwhile was not to this fragment, or would have stayed.
 void oit_operate(uint p)
 {
-    uint first, n = oit_list(p, first), q, other;
-    for (uint direction = 0u; direction < 4u; ++direction) {
-        if (!oit_beside(p, direction, q))
-            continue;
-        oit_list(q, other);
-        bool wide = OIT_IN_FAR_LINKS != 0u;
-        uint none = wide ? 65535u << (16u * (direction & 1u)) : 255u << (8u * direction);
-        uint at = wide && direction >= 2u ? OIT_IN_FAR_LINKS : OIT_IN_LINKS;
-        for (uint i = 0u; i < n; ++i) {
-            uint layer = oit_link(first + i, direction);
-            if (layer != OIT_NONE && oit_link(other + layer, direction ^ 1u) != i)
-                oit_surface[at + first + i] |= none;
+    uint first, n = oit_list(p, first), firsts[4];
+    bool wide = OIT_IN_FAR_LINKS != 0u;
+    for (uint d = 0u; d < 4u; ++d) {
+        uint q;
+        firsts[d] = 0u;
+        if (oit_beside(p, d, q))
+            oit_list(q, firsts[d]);
+    }
+    for (uint i = 0u; i < n; ++i) {
+        uvec2 none = uvec2(0u); // of the two words, or all in the first
+        for (uint d = 0u; d < 4u; ++d) {
+            uint layer = oit_link(first + i, d);
+            bool lost = layer != OIT_NONE && oit_link(firsts[d] + layer, d ^ 1u) != i;
+            none[wide ? d >> 1u : 0u] |= lost ? (wide ? 65535u << 16u * (d & 1u) : 255u << 8u * d) : 0u;
         }
+        if (none.x != 0u)
+            oit_surface[OIT_IN_LINKS + first + i] |= none.x;
+        if (none.y != 0u)
+            oit_surface[OIT_IN_FAR_LINKS + first + i] |= none.y;
     }
 }

@@ -40,6 +40,7 @@ void oit_forget(uint p, uint section)
 
 void main()
 {
+    oit_take_numbers();
     uvec2 size = uvec2(oit_area.zw), at = gl_GlobalInvocationID.xy;
     bool column = OIT_STEP.x != 0u;
     uvec2 start = column ? uvec2(at.x, at.y * oit_reach) : uvec2(at.y * oit_reach, at.x); // x is what is long

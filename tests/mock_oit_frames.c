@@ -1449,13 +1449,13 @@ static void test_bytes_and_passes_of_operators(void **state) {
         {OIT_OPERATE_LINKS | OIT_OPERATE_BUCKETS, 0, LINK, BUCKETED, 24, 3, 5, 1 + 1 + 4 + 1}, /* group */
         {OIT_OPERATE_CURVATURE, 0, LINK | SMART, PLAIN, 24, 4, 0, 0},                          /* SMART is not chosen */
         {OIT_OPERATE_CURVATURE, 0, LINK | CURVE, PLAIN, 24, 4, 5, 4},
-        {OIT_OPERATE_CONTOURS, 0, LINK | CURVE, PLAIN, 24, 6, 5, 4},        /* chosen, not asked for */
-        {OIT_OPERATE_CONTOURS, 0, LINK | CURVE, CONTOURS, 24, 6, 6, 4 + 6}, /* 64 steps: three pairs of chains */
-        {OIT_OPERATE_SMART, 0, LINK | SMART, PLAIN, 24, 5, 7, 3 + 2 + 20},  /* + given, bound, 20 iterations */
+        {OIT_OPERATE_CONTOURS, 0, LINK | CURVE, PLAIN, 24, 6, 5, 4},         /* chosen, not asked for */
+        {OIT_OPERATE_CONTOURS, 0, LINK | CURVE, CONTOURS, 24, 6, 6, 4 + 11}, /* 64 steps: ten pairs of chains */
+        {OIT_OPERATE_SMART, 0, LINK | SMART, PLAIN, 24, 5, 7, 3 + 2 + 20},   /* + given, bound, 20 iterations */
         {OIT_OPERATE_SMART, 0, LINK | LAW | SMART, PLAIN, 24, 5, 7, 3 + 2 + 20},
         {OIT_OPERATE_SMART, 0, LINK | SMART, STILL, 24, 5, 6, 3 + 2},
         {OIT_OPERATE_SMART, 0, LINK | SMART, BASE_ALONE, 24, 5, 7, 3 + 2 + 20},
-        {OIT_OPERATE_SMART, 0, LINK | SMART, JUMPING, 24, 5, 8, 3 + 2 + 8 + 2}, /* four rounds, one pair for base */
+        {OIT_OPERATE_SMART, 0, LINK | SMART, JUMPING, 24, 5, 8, 3 + 2 + 16 + 4}, /* four rounds, three pairs for base */
         {OIT_OPERATE_SMART | OIT_OPERATE_THIN, 0, LINK | SMART, PLAIN, 24, 7, 7,
          3 + 2 + 20}, /* chosen, not asked for */
         {OIT_OPERATE_SMART | OIT_OPERATE_THIN, 0, LINK | LAW | SMART, THIN, 24, 7, 8, 3 + 2 + 6 + 20}, /* to 20 / 0.5 */
