@@ -197,41 +197,50 @@ static void measure_stages(FILE *csv, smart_stage *t, const char *work, const ch
         tell(csv, work, name, size, names[k], times[k], t, 0);
 }
 
-int main(int argc, char **argv) {
-    const oit_desc all = {.operators = OIT_OPERATE_SMART | OIT_OPERATE_BUCKETS},
-                   desc = {.operators = OIT_OPERATE_SMART};
-    FILE *csv = open_table(argc, argv, "build/bench/smart.csv");
-    for (int size = is_quick() ? 64 : 128; size <= (is_quick() ? 64 : 256); size *= 2) {
-        smart_stage t;
-        smart_stage_open(&t, false, size, all, (size_t)size * (size_t)size * (SHEETS + 2));
-        for (int kind = 0; kind < KINDS; ++kind) {
-            make_sheets(&t, kind, SHEETS, 1, 48);
-            compare_searches(csv, &t, "links", kinds[kind].name, size);
-            compare_fields(csv, &t, kinds[kind].name, size);
+static void compare_on_sheets(FILE *csv, int size) {
+    const oit_desc desc = {.operators = OIT_OPERATE_SMART | OIT_OPERATE_BUCKETS};
+    smart_stage t;
+    smart_stage_open(&t, false, size, desc, (size_t)size * (size_t)size * (SHEETS + 2));
+    for (int kind = 0; kind < KINDS; ++kind) {
+        make_sheets(&t, kind, SHEETS, 1, 48);
+        compare_searches(csv, &t, "links", kinds[kind].name, size);
+        compare_fields(csv, &t, kinds[kind].name, size);
+        for (int parts = 1; parts <= SHEETS; parts *= is_quick() ? 32 : 2) {
+            make_sheets(&t, kind, SHEETS, parts, 48);
+            compare_searches(csv, &t, "parts", kinds[kind].name, parts);
         }
-        for (int kind = 0; kind < KINDS && size <= 128; ++kind)
-            for (int parts = 1; parts <= SHEETS; parts *= is_quick() ? 32 : 2) {
-                make_sheets(&t, kind, SHEETS, parts, 48);
-                compare_searches(csv, &t, "parts", kinds[kind].name, parts);
-            }
-        smart_stage_close(&t);
     }
+    smart_stage_close(&t);
+}
+
+static void measure_by_pixels(FILE *csv, const oit_desc *desc) {
     for (int layers = 2; layers <= 8; layers *= 4)
         for (int size = 128; size <= (is_quick() ? 256 : 2048); size *= 2) {
             char name[16];
             smart_stage t;
-            smart_stage_open(&t, false, size, desc, 1); /* nothing is read back */
+            smart_stage_open(&t, false, size, *desc, 1); /* nothing is read back */
             make_sheets(&t, WAVY, layers, 1, 48);
             snprintf(name, sizeof name, "wavy %d", layers);
             measure_stages(csv, &t, "pixels", name, size);
             smart_stage_close(&t);
         }
+}
+
+static void measure_by_triangles(FILE *csv, const oit_desc *desc) {
     for (int steps = 8; steps <= (is_quick() ? 32 : 128); steps *= 4) { /* 2 steps^2 triangles a sheet */
         smart_stage t;
-        smart_stage_open(&t, false, 128, desc, 1);
+        smart_stage_open(&t, false, 128, *desc, 1);
         make_sheets(&t, WAVY, SHEETS, 1, steps);
         measure_stages(csv, &t, "triangles", "wavy", 2 * SHEETS * steps * steps);
         smart_stage_close(&t);
     }
+}
+
+int main(int argc, char **argv) {
+    const oit_desc desc = {.operators = OIT_OPERATE_SMART};
+    FILE *csv = open_table(argc, argv, "build/bench/smart.csv");
+    measure_by_pixels(csv, &desc);
+    measure_by_triangles(csv, &desc);
+    compare_on_sheets(csv, is_quick() ? 64 : 128);
     return close_table(csv);
 }
