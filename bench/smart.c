@@ -191,6 +191,7 @@ static void measure_stages(FILE *csv, smart_stage *t, const char *work, const ch
     double times[MAX_TIMES];
     if (!measure(t, ops, 3, times)) {
         printf("%-9s %-7s %8d left out: more than storage blocks hold\n", work, name, size);
+        t->set.logged = 0; /* that it does not fit */
         return;
     }
     for (int k = 0; k < 5; ++k)
