@@ -7568,11 +7568,12 @@ static void oit_i_number_sections(const oit_context *oit, oit_i_numbers *n) {
     n->at[5][3] = oit->sections[OIT_I_AT_RADIAL];
 }
 
-/* A word for each 32 x 32 pixels, in the section to spare, which jumps have no other use for; 0: it is too short. */
+/* A word for each 32 x 32 pixels, in the section to spare, which jumps have no other use for; 0: it is too short, or links
+   are not mutual: once to and fro is not all then that a stretch can do by itself. */
 static oit_i_u oit_i_tiles(const oit_context *oit) {
     int64_t across = (oit->frame.width + OIT_I_JUMP_REACH - 1) / OIT_I_JUMP_REACH;
     int64_t tiles = across * ((oit->frame.height + OIT_I_JUMP_REACH - 1) / OIT_I_JUMP_REACH);
-    return tiles <= (int64_t)oit->capacity ? oit->sections[OIT_I_AT_SPARE] : 0u;
+    return oit_i_links_are_mutual(oit) && tiles <= (int64_t)oit->capacity ? oit->sections[OIT_I_AT_SPARE] : 0u;
 }
 
 static void oit_i_number_stage(const oit_context *oit, const oit_i_stage *stage, int step, oit_i_numbers *n) {
