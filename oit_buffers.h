@@ -592,7 +592,8 @@ typedef struct oit_link {
        ANGLE      1 - (1 - s) |n.v|^exponent                 s where the surface faces the eye
        VARIATION  1 - (1 - s) e^(-scale v)                   v: root of the sum of the squared differences of normals to
                                                              the neighbours, those across a pixel halved; needs LINK
-       DISTANCE   1 - (1 - s) min(1, d/reach)^exponent       needs SMART, with beta.iterations of reach or more */
+       DISTANCE   1 - (1 - s) min(1, d/reach)^exponent       needs SMART, whose beta or gamma goes reach iterations or
+                                                             more by equation 9: beyond them d counts as reach */
 typedef enum oit_law_kind {
     OIT_LAW_GIVEN,
     OIT_LAW_CONSTANT,
@@ -2648,8 +2649,8 @@ static const char *const oit_i_shader_oit_operator_jump_comp[] = {
 static const char *const oit_i_shader_oit_operator_law_comp[] = {
     "#line 1\n"
     "// For: oit_buffers.h\n"
-    "// The opacity that each surface fragment starts with (Carnecky 2013, section 5.2). OIT_STEP.x: the law; oit_set[0]: s,\n"
-    "// exponent, scale, reach.\n"
+    "// The opacity that each surface fragment starts with (Carnecky 2013, section 5.2). OIT_STEP: x: the law; y: distances\n"
+    "// beyond that many steps are not known for certain: far; oit_set[0]: s, exponent, scale, reach.\n"
     "#define OIT_LAW_GIVEN 0u\n"
     "#define OIT_LAW_CONSTANT 1u\n"
     "#define OIT_LAW_ADAPTIVE 2u\n"
@@ -2702,7 +2703,8 @@ static const char *const oit_i_shader_oit_operator_law_comp[] = {
     "#if OIT_HAS_SLOPE\n"
     "    if (OIT_STEP.x == OIT_LAW_VARIATION)\n"
     "        return 1.0 - (1.0 - s) * exp(-oit_set[0].z * oit_variation(p, slot));\n"
-    "    float near = min(float(oit_steps(slot, false)) / oit_set[0].w, 1.0);\n"
+    "    uint steps = oit_steps(slot, false);\n"
+    "    float near = steps <= OIT_STEP.y ? min(float(steps) / oit_set[0].w, 1.0) : 1.0;\n"
     "    return 1.0 - (1.0 - s) * pow(near, oit_set[0].y);\n"
     "#else\n"
     "    return s;\n"
@@ -7585,6 +7587,7 @@ static void oit_i_number_stage(const oit_context *oit, const oit_i_stage *stage,
         break;
     case OIT_I_PROGRAM_LAW:
         n->at[4][0] = (oit_i_u)stage->what;
+        n->at[4][1] = (oit_i_u)oit_i_greatest_steps(&oit->smart);
         n->set[0][0] = law->s;
         n->set[0][1] = law->exponent;
         n->set[0][2] = law->scale;
