@@ -8418,6 +8418,8 @@ OIT_I_API oit_result oit_run(oit_context *oit, const oit_operator *op) {
     result = oit_i_make_operator_programs(oit);
     if (result != OIT_OK)
         return result;
+    if (op->kind == OIT_RUN_CURVATURE) /* run again: what it was asked for last */
+        oit->did &= ~(oit_i_u)(OIT_I_DID_SHADE | OIT_I_DID_CONTOUR);
     oit->did |= oit_i_deeds(oit, op);
     oit->step = OIT_I_STEP_OPERATE;
     if (oit->desc.state != OIT_STATE_NONE)
