@@ -592,7 +592,8 @@ typedef struct oit_link {
        ANGLE      1 - (1 - s) |n.v|^exponent                 s where the surface faces the eye
        VARIATION  1 - (1 - s) e^(-scale v)                   v: root of the sum of the squared differences of normals to
                                                              the neighbours, those across a pixel halved; needs LINK
-       DISTANCE   1 - (1 - s) min(1, d/reach)^exponent       needs SMART, with beta.iterations of reach or more */
+       DISTANCE   1 - (1 - s) min(1, d/reach)^exponent       needs SMART, whose beta or gamma goes reach iterations or
+                                                             more by equation 9: beyond them d counts as reach */
 typedef enum oit_law_kind {
     OIT_LAW_GIVEN,
     OIT_LAW_CONSTANT,
@@ -1283,13 +1284,14 @@ static const char *const oit_i_shader_oit_contour_glsl[] = {
     "// For: oit_buffers.h\n"
     "// Suggestive contours (DeCarlo, Finkelstein, Rusinkiewicz, Santella 2003) on every layer, by links: where the curvature\n"
     "// in the direction to the eye, laid into the surface, is 0 and rises toward the eye. With normals that face the eye convex\n"
-    "// is positive here. Surfaces are looked at over two pixels each way, or as far as links lead.\n"
-    "#define OIT_IN_RADIAL oit_at[5].w // that curvature, in units of the eye's space, then smoothed; 0 where it cannot be told\n"
+    "// is positive here. Surfaces are looked at over two pixels each way, or as far as links lead. Lengths are in radii of the\n"
+    "// links, so that fourth powers of them stay in the range of floats whatever the unit. oit_set[1].z: 1 over the radius.\n"
+    "#define OIT_IN_RADIAL oit_at[5].w // that curvature, then smoothed; 0 where it cannot be told\n"
     "\n"
     "struct oit_cross // around a fragment: left, right, below, above\n"
     "{\n"
     "    uint slots[4];\n"
-    "    vec3 across[2]; // in the space of the eye\n"
+    "    vec3 across[2]; // along the axes of the eye's space\n"
     "    vec2 pixels;\n"
     "};\n"
     "\n"
@@ -1310,8 +1312,9 @@ static const char *const oit_i_shader_oit_contour_glsl[] = {
     "        }\n"
     "    }\n"
     "    for (uint axis = 0u; axis < 2u; ++axis)\n"
-    "        c.across[axis] = oit_position(oit_device(pixels[2u * axis + 1u]), oit_depth(c.slots[2u * axis + 1u])) -\n"
-    "                         oit_position(oit_device(pixels[2u * axis]), oit_depth(c.slots[2u * axis]));\n"
+    "        c.across[axis] = (oit_position(oit_device(pixels[2u * axis + 1u]), oit_depth(c.slots[2u * axis + 1u])) -\n"
+    "                          oit_position(oit_device(pixels[2u * axis]), oit_depth(c.slots[2u * axis]))) *\n"
+    "                         oit_set[1].z;\n"
     "    return c.pixels.x > 0.0 && c.pixels.y > 0.0;\n"
     "}\n"
     "\n"
@@ -1329,8 +1332,8 @@ static const char *const oit_i_shader_oit_contour_glsl[] = {
     "}\n"
     "\n"
     "#ifndef OIT_COMPOSES\n"
-    "// Beside silhouettes curvatures without bound would be smoothed into their surroundings: k becomes k / (1 + |k| r / 10),\n"
-    "// which keeps zeros, and slopes there. oit_set[0].w: r / 10.\n"
+    "// Beside silhouettes curvatures without bound would be smoothed into their surroundings: k becomes k / (1 + |k| / 10),\n"
+    "// which keeps zeros, and slopes there.\n"
     "float oit_radial(uint p, uint slot)\n"
     "{\n"
     "    oit_cross c;\n"
@@ -1341,7 +1344,7 @@ static const char *const oit_i_shader_oit_contour_glsl[] = {
     "    vec3 bend = parts.x * (oit_normal(c.slots[1]) - oit_normal(c.slots[0])) +\n"
     "                parts.y * (oit_normal(c.slots[3]) - oit_normal(c.slots[2]));\n"
     "    float radial = dot(bend, toward) / dot(toward, toward);\n"
-    "    radial /= 1.0 + abs(radial) * oit_set[0].w;\n"
+    "    radial /= 1.0 + abs(radial) * 0.1;\n"
     "    return dot(oit_normal(slot), oit_to_eye(oit_device(p))) < 0.0 ? -radial : radial;\n"
     "}\n"
     "#else\n"
@@ -1364,7 +1367,8 @@ static const char *const oit_i_shader_oit_contour_glsl[] = {
     "        rise[axis] = oit_radial_of(c.slots[2u * axis + 1u]) - oit_radial_of(c.slots[2u * axis]);\n"
     "    float steep = length(toward), each = length(rise / c.pixels), covered = oit_set[1].x * each - abs(oit_radial_of(slot));\n"
     "    if (!(covered > 0.0))\n"
-    "        return 0.0;\n"
+    "        return 0.0;\n",
+    "#line 88\n"
     "    return min(covered / each, 1.0) * clamp(dot(parts, rise) / steep * oit_set[1].y - 1.0, 0.0, 1.0) *\n"
     "           clamp(4.0 * steep - 1.0, 0.0, 1.0);\n"
     "}\n"
@@ -2497,7 +2501,7 @@ static const char *const oit_i_shader_oit_operator_curve_comp[] = {
     "// Curvature of the surface at a fragment, tanh(kappa1 + kappa2) (Murray 2016, section 5.1), and opacity from it. The trace\n"
     "// of the map from steps along the surface to differences of normals: no division by a normal's z, so that grazing normals\n"
     "// are bounded. Without one of the four neighbours -1. OIT_STEP: x: 1: the opacities go to base; oit_set[0]: x: 1 / unit, 0:\n"
-    "// steps are those in the window; y, z: distance to depth; w: as oit_radial says. OIT_STEP.y: 1: the curvature toward the eye, too.\n"
+    "// steps are those in the window; y, z: distance to depth. OIT_STEP.y: 1: the curvature toward the eye, too.\n"
     "layout(location = 16) uniform highp uvec4 oit_opacities[64]; // 16 rows of 32 in 16 bits each\n"
     "\n"
     "float oit_opacity_entry(uint at)\n"
@@ -2648,8 +2652,8 @@ static const char *const oit_i_shader_oit_operator_jump_comp[] = {
 static const char *const oit_i_shader_oit_operator_law_comp[] = {
     "#line 1\n"
     "// For: oit_buffers.h\n"
-    "// The opacity that each surface fragment starts with (Carnecky 2013, section 5.2). OIT_STEP.x: the law; oit_set[0]: s,\n"
-    "// exponent, scale, reach.\n"
+    "// The opacity that each surface fragment starts with (Carnecky 2013, section 5.2). OIT_STEP: x: the law; y: distances\n"
+    "// beyond that many steps are not known for certain: far; oit_set[0]: s, exponent, scale, reach.\n"
     "#define OIT_LAW_GIVEN 0u\n"
     "#define OIT_LAW_CONSTANT 1u\n"
     "#define OIT_LAW_ADAPTIVE 2u\n"
@@ -2702,7 +2706,8 @@ static const char *const oit_i_shader_oit_operator_law_comp[] = {
     "#if OIT_HAS_SLOPE\n"
     "    if (OIT_STEP.x == OIT_LAW_VARIATION)\n"
     "        return 1.0 - (1.0 - s) * exp(-oit_set[0].z * oit_variation(p, slot));\n"
-    "    float near = min(float(oit_steps(slot, false)) / oit_set[0].w, 1.0);\n"
+    "    uint steps = oit_steps(slot, false);\n"
+    "    float near = steps <= OIT_STEP.y ? min(float(steps) / oit_set[0].w, 1.0) : 1.0;\n"
     "    return 1.0 - (1.0 - s) * pow(near, oit_set[0].y);\n"
     "#else\n"
     "    return s;\n"
@@ -7512,15 +7517,16 @@ static void oit_i_number_curve(const oit_context *oit, oit_i_numbers *n) {
     n->set[0][0] = oit->curvature.unit > 0.0f ? 1.0f / oit->curvature.unit : 0.0f;
     n->set[0][1] = (float)first;
     n->set[0][2] = last != first ? (float)(1.0 / (last - first)) : 0.0f;
-    n->set[0][3] = 0.1f * oit->link.radius;
+    n->set[1][2] = 1.0f / oit->link.radius;
 }
 
-/* Radii are those of the link. */
+/* Lengths in radii of the link. */
 static void oit_i_number_contours(const oit_context *oit, oit_i_numbers *n) {
     const oit_curvature *curvature = &oit->curvature;
-    float least = oit_i_or(curvature->contour_least, 1.0f), radius = oit->link.radius;
+    float least = oit_i_or(curvature->contour_least, 1.0f);
     n->set[1][0] = 0.5f * oit_i_or(curvature->contour_width, 1.5f) + 0.5f;
-    n->set[1][1] = radius * radius / (least > 1e-30f ? least : 1e-30f);
+    n->set[1][1] = 1.0f / (least > 1e-30f ? least : 1e-30f);
+    n->set[1][2] = 1.0f / oit->link.radius;
     memcpy(n->set[2], curvature->contour_color, sizeof curvature->contour_color);
 }
 
@@ -7568,11 +7574,12 @@ static void oit_i_number_sections(const oit_context *oit, oit_i_numbers *n) {
     n->at[5][3] = oit->sections[OIT_I_AT_RADIAL];
 }
 
-/* A word for each 32 x 32 pixels, in the section to spare, which jumps have no other use for; 0: it is too short. */
+/* A word for each 32 x 32 pixels, in the section to spare, which jumps have no other use for; 0: it is too short, or links
+   are not mutual: once to and fro is not all then that a stretch can do by itself. */
 static oit_i_u oit_i_tiles(const oit_context *oit) {
     int64_t across = (oit->frame.width + OIT_I_JUMP_REACH - 1) / OIT_I_JUMP_REACH;
     int64_t tiles = across * ((oit->frame.height + OIT_I_JUMP_REACH - 1) / OIT_I_JUMP_REACH);
-    return tiles <= (int64_t)oit->capacity ? oit->sections[OIT_I_AT_SPARE] : 0u;
+    return oit_i_links_are_mutual(oit) && tiles <= (int64_t)oit->capacity ? oit->sections[OIT_I_AT_SPARE] : 0u;
 }
 
 static void oit_i_number_stage(const oit_context *oit, const oit_i_stage *stage, int step, oit_i_numbers *n) {
@@ -7584,6 +7591,7 @@ static void oit_i_number_stage(const oit_context *oit, const oit_i_stage *stage,
         break;
     case OIT_I_PROGRAM_LAW:
         n->at[4][0] = (oit_i_u)stage->what;
+        n->at[4][1] = (oit_i_u)oit_i_greatest_steps(&oit->smart);
         n->set[0][0] = law->s;
         n->set[0][1] = law->exponent;
         n->set[0][2] = law->scale;
@@ -8414,6 +8422,8 @@ OIT_I_API oit_result oit_run(oit_context *oit, const oit_operator *op) {
     result = oit_i_make_operator_programs(oit);
     if (result != OIT_OK)
         return result;
+    if (op->kind == OIT_RUN_CURVATURE) /* run again: what it was asked for last */
+        oit->did &= ~(oit_i_u)(OIT_I_DID_SHADE | OIT_I_DID_CONTOUR);
     oit->did |= oit_i_deeds(oit, op);
     oit->step = OIT_I_STEP_OPERATE;
     if (oit->desc.state != OIT_STATE_NONE)

@@ -1229,13 +1229,14 @@ static const char *const shaders_i_shader_oit_contour_glsl[] = {
     "// For: oit_buffers.h\n"
     "// Suggestive contours (DeCarlo, Finkelstein, Rusinkiewicz, Santella 2003) on every layer, by links: where the curvature\n"
     "// in the direction to the eye, laid into the surface, is 0 and rises toward the eye. With normals that face the eye convex\n"
-    "// is positive here. Surfaces are looked at over two pixels each way, or as far as links lead.\n"
-    "#define OIT_IN_RADIAL oit_at[5].w // that curvature, in units of the eye's space, then smoothed; 0 where it cannot be told\n"
+    "// is positive here. Surfaces are looked at over two pixels each way, or as far as links lead. Lengths are in radii of the\n"
+    "// links, so that fourth powers of them stay in the range of floats whatever the unit. oit_set[1].z: 1 over the radius.\n"
+    "#define OIT_IN_RADIAL oit_at[5].w // that curvature, then smoothed; 0 where it cannot be told\n"
     "\n"
     "struct oit_cross // around a fragment: left, right, below, above\n"
     "{\n"
     "    uint slots[4];\n"
-    "    vec3 across[2]; // in the space of the eye\n"
+    "    vec3 across[2]; // along the axes of the eye's space\n"
     "    vec2 pixels;\n"
     "};\n"
     "\n"
@@ -1256,8 +1257,9 @@ static const char *const shaders_i_shader_oit_contour_glsl[] = {
     "        }\n"
     "    }\n"
     "    for (uint axis = 0u; axis < 2u; ++axis)\n"
-    "        c.across[axis] = oit_position(oit_device(pixels[2u * axis + 1u]), oit_depth(c.slots[2u * axis + 1u])) -\n"
-    "                         oit_position(oit_device(pixels[2u * axis]), oit_depth(c.slots[2u * axis]));\n"
+    "        c.across[axis] = (oit_position(oit_device(pixels[2u * axis + 1u]), oit_depth(c.slots[2u * axis + 1u])) -\n"
+    "                          oit_position(oit_device(pixels[2u * axis]), oit_depth(c.slots[2u * axis]))) *\n"
+    "                         oit_set[1].z;\n"
     "    return c.pixels.x > 0.0 && c.pixels.y > 0.0;\n"
     "}\n"
     "\n"
@@ -1275,8 +1277,8 @@ static const char *const shaders_i_shader_oit_contour_glsl[] = {
     "}\n"
     "\n"
     "#ifndef OIT_COMPOSES\n"
-    "// Beside silhouettes curvatures without bound would be smoothed into their surroundings: k becomes k / (1 + |k| r / 10),\n"
-    "// which keeps zeros, and slopes there. oit_set[0].w: r / 10.\n"
+    "// Beside silhouettes curvatures without bound would be smoothed into their surroundings: k becomes k / (1 + |k| / 10),\n"
+    "// which keeps zeros, and slopes there.\n"
     "float oit_radial(uint p, uint slot)\n"
     "{\n"
     "    oit_cross c;\n"
@@ -1287,7 +1289,7 @@ static const char *const shaders_i_shader_oit_contour_glsl[] = {
     "    vec3 bend = parts.x * (oit_normal(c.slots[1]) - oit_normal(c.slots[0])) +\n"
     "                parts.y * (oit_normal(c.slots[3]) - oit_normal(c.slots[2]));\n"
     "    float radial = dot(bend, toward) / dot(toward, toward);\n"
-    "    radial /= 1.0 + abs(radial) * oit_set[0].w;\n"
+    "    radial /= 1.0 + abs(radial) * 0.1;\n"
     "    return dot(oit_normal(slot), oit_to_eye(oit_device(p))) < 0.0 ? -radial : radial;\n"
     "}\n"
     "#else\n"
@@ -1310,7 +1312,8 @@ static const char *const shaders_i_shader_oit_contour_glsl[] = {
     "        rise[axis] = oit_radial_of(c.slots[2u * axis + 1u]) - oit_radial_of(c.slots[2u * axis]);\n"
     "    float steep = length(toward), each = length(rise / c.pixels), covered = oit_set[1].x * each - abs(oit_radial_of(slot));\n"
     "    if (!(covered > 0.0))\n"
-    "        return 0.0;\n"
+    "        return 0.0;\n",
+    "#line 88\n"
     "    return min(covered / each, 1.0) * clamp(dot(parts, rise) / steep * oit_set[1].y - 1.0, 0.0, 1.0) *\n"
     "           clamp(4.0 * steep - 1.0, 0.0, 1.0);\n"
     "}\n"
@@ -2443,7 +2446,7 @@ static const char *const shaders_i_shader_oit_operator_curve_comp[] = {
     "// Curvature of the surface at a fragment, tanh(kappa1 + kappa2) (Murray 2016, section 5.1), and opacity from it. The trace\n"
     "// of the map from steps along the surface to differences of normals: no division by a normal's z, so that grazing normals\n"
     "// are bounded. Without one of the four neighbours -1. OIT_STEP: x: 1: the opacities go to base; oit_set[0]: x: 1 / unit, 0:\n"
-    "// steps are those in the window; y, z: distance to depth; w: as oit_radial says. OIT_STEP.y: 1: the curvature toward the eye, too.\n"
+    "// steps are those in the window; y, z: distance to depth. OIT_STEP.y: 1: the curvature toward the eye, too.\n"
     "layout(location = 16) uniform highp uvec4 oit_opacities[64]; // 16 rows of 32 in 16 bits each\n"
     "\n"
     "float oit_opacity_entry(uint at)\n"
@@ -2594,8 +2597,8 @@ static const char *const shaders_i_shader_oit_operator_jump_comp[] = {
 static const char *const shaders_i_shader_oit_operator_law_comp[] = {
     "#line 1\n"
     "// For: oit_buffers.h\n"
-    "// The opacity that each surface fragment starts with (Carnecky 2013, section 5.2). OIT_STEP.x: the law; oit_set[0]: s,\n"
-    "// exponent, scale, reach.\n"
+    "// The opacity that each surface fragment starts with (Carnecky 2013, section 5.2). OIT_STEP: x: the law; y: distances\n"
+    "// beyond that many steps are not known for certain: far; oit_set[0]: s, exponent, scale, reach.\n"
     "#define OIT_LAW_GIVEN 0u\n"
     "#define OIT_LAW_CONSTANT 1u\n"
     "#define OIT_LAW_ADAPTIVE 2u\n"
@@ -2648,7 +2651,8 @@ static const char *const shaders_i_shader_oit_operator_law_comp[] = {
     "#if OIT_HAS_SLOPE\n"
     "    if (OIT_STEP.x == OIT_LAW_VARIATION)\n"
     "        return 1.0 - (1.0 - s) * exp(-oit_set[0].z * oit_variation(p, slot));\n"
-    "    float near = min(float(oit_steps(slot, false)) / oit_set[0].w, 1.0);\n"
+    "    uint steps = oit_steps(slot, false);\n"
+    "    float near = steps <= OIT_STEP.y ? min(float(steps) / oit_set[0].w, 1.0) : 1.0;\n"
     "    return 1.0 - (1.0 - s) * pow(near, oit_set[0].y);\n"
     "#else\n"
     "    return s;\n"
@@ -5680,7 +5684,7 @@ static const shaders_i_entry shaders_i_table[] = {
     {"oit_color.glsl", shaders_i_shader_oit_color_glsl, 1},
     {"oit_compose.frag", shaders_i_shader_oit_compose_frag, 1},
     {"oit_compose.glsl", shaders_i_shader_oit_compose_glsl, 2},
-    {"oit_contour.glsl", shaders_i_shader_oit_contour_glsl, 1},
+    {"oit_contour.glsl", shaders_i_shader_oit_contour_glsl, 2},
     {"oit_depth.frag", shaders_i_shader_oit_depth_frag, 1},
     {"oit_fetch.glsl", shaders_i_shader_oit_fetch_glsl, 1},
     {"oit_frame_block.glsl", shaders_i_shader_oit_frame_block_glsl, 2},

@@ -1,13 +1,14 @@
 // For: oit_buffers.h
 // Suggestive contours (DeCarlo, Finkelstein, Rusinkiewicz, Santella 2003) on every layer, by links: where the curvature
 // in the direction to the eye, laid into the surface, is 0 and rises toward the eye. With normals that face the eye convex
-// is positive here. Surfaces are looked at over two pixels each way, or as far as links lead.
-#define OIT_IN_RADIAL oit_at[5].w // that curvature, in units of the eye's space, then smoothed; 0 where it cannot be told
+// is positive here. Surfaces are looked at over two pixels each way, or as far as links lead. Lengths are in radii of the
+// links, so that fourth powers of them stay in the range of floats whatever the unit. oit_set[1].z: 1 over the radius.
+#define OIT_IN_RADIAL oit_at[5].w // that curvature, then smoothed; 0 where it cannot be told
 
 struct oit_cross // around a fragment: left, right, below, above
 {
     uint slots[4];
-    vec3 across[2]; // in the space of the eye
+    vec3 across[2]; // along the axes of the eye's space
     vec2 pixels;
 };
 
@@ -28,8 +29,9 @@ bool oit_cross_of(uint p, uint slot, out oit_cross c)
         }
     }
     for (uint axis = 0u; axis < 2u; ++axis)
-        c.across[axis] = oit_position(oit_device(pixels[2u * axis + 1u]), oit_depth(c.slots[2u * axis + 1u])) -
-                         oit_position(oit_device(pixels[2u * axis]), oit_depth(c.slots[2u * axis]));
+        c.across[axis] = (oit_position(oit_device(pixels[2u * axis + 1u]), oit_depth(c.slots[2u * axis + 1u])) -
+                          oit_position(oit_device(pixels[2u * axis]), oit_depth(c.slots[2u * axis]))) *
+                         oit_set[1].z;
     return c.pixels.x > 0.0 && c.pixels.y > 0.0;
 }
 
@@ -47,8 +49,8 @@ bool oit_toward(uint p, uint slot, oit_cross c, out vec3 toward, out vec2 parts)
 }
 
 #ifndef OIT_COMPOSES
-// Beside silhouettes curvatures without bound would be smoothed into their surroundings: k becomes k / (1 + |k| r / 10),
-// which keeps zeros, and slopes there. oit_set[0].w: r / 10.
+// Beside silhouettes curvatures without bound would be smoothed into their surroundings: k becomes k / (1 + |k| / 10),
+// which keeps zeros, and slopes there.
 float oit_radial(uint p, uint slot)
 {
     oit_cross c;
@@ -59,7 +61,7 @@ float oit_radial(uint p, uint slot)
     vec3 bend = parts.x * (oit_normal(c.slots[1]) - oit_normal(c.slots[0])) +
                 parts.y * (oit_normal(c.slots[3]) - oit_normal(c.slots[2]));
     float radial = dot(bend, toward) / dot(toward, toward);
-    radial /= 1.0 + abs(radial) * oit_set[0].w;
+    radial /= 1.0 + abs(radial) * 0.1;
     return dot(oit_normal(slot), oit_to_eye(oit_device(p))) < 0.0 ? -radial : radial;
 }
 #else

@@ -2,7 +2,7 @@
 // Curvature of the surface at a fragment, tanh(kappa1 + kappa2) (Murray 2016, section 5.1), and opacity from it. The trace
 // of the map from steps along the surface to differences of normals: no division by a normal's z, so that grazing normals
 // are bounded. Without one of the four neighbours -1. OIT_STEP: x: 1: the opacities go to base; oit_set[0]: x: 1 / unit, 0:
-// steps are those in the window; y, z: distance to depth; w: as oit_radial says. OIT_STEP.y: 1: the curvature toward the eye, too.
+// steps are those in the window; y, z: distance to depth. OIT_STEP.y: 1: the curvature toward the eye, too.
 layout(location = 16) uniform highp uvec4 oit_opacities[64]; // 16 rows of 32 in 16 bits each
 
 float oit_opacity_entry(uint at)

@@ -1,6 +1,6 @@
 // For: oit_buffers.h
-// The opacity that each surface fragment starts with (Carnecky 2013, section 5.2). OIT_STEP.x: the law; oit_set[0]: s,
-// exponent, scale, reach.
+// The opacity that each surface fragment starts with (Carnecky 2013, section 5.2). OIT_STEP: x: the law; y: distances
+// beyond that many steps are not known for certain: far; oit_set[0]: s, exponent, scale, reach.
 #define OIT_LAW_GIVEN 0u
 #define OIT_LAW_CONSTANT 1u
 #define OIT_LAW_ADAPTIVE 2u
@@ -53,7 +53,8 @@ float oit_law(uint p, uint slot, float layers)
 #if OIT_HAS_SLOPE
     if (OIT_STEP.x == OIT_LAW_VARIATION)
         return 1.0 - (1.0 - s) * exp(-oit_set[0].z * oit_variation(p, slot));
-    float near = min(float(oit_steps(slot, false)) / oit_set[0].w, 1.0);
+    uint steps = oit_steps(slot, false);
+    float near = steps <= OIT_STEP.y ? min(float(steps) / oit_set[0].w, 1.0) : 1.0;
     return 1.0 - (1.0 - s) * pow(near, oit_set[0].y);
 #else
     return s;

@@ -270,6 +270,54 @@ static void settings_do_what_they_say(void **state) {
     smart_stage_close(&t);
 }
 
+/* Molecules in metres, and galaxies: nothing but the unit of length differs, by a power of two. */
+static void units_of_length_change_nothing(void **state) {
+    static const double scales[2] = {0x1p-34, 0x1p60};
+    (void)state;
+    smart_stage t;
+    smart_stage_open(&t, false, SIZE, desc, MOST);
+    for (int i = 0; i < 2; ++i) {
+        const double scale = scales[i];
+        const oit_operator op = contours_of(20);
+        double worst = 0;
+        add_ring(&t, -1);
+        float *plain = draw(&t, NULL, NULL), *one = draw(&t, &op, NULL);
+        assert_memory_not_equal(plain, one, 4 * SIZE * SIZE * sizeof(float));
+        t.radius *= scale;
+        t.scene.scene.projection[14] *= scale;
+        for (int k = 0; k < 3; ++k)
+            t.scene.scene.view[12 + k] *= scale;
+        for (int k = 0; k < 12; ++k)
+            t.scene.truths[0].model[k] *= scale;
+        float *other = draw(&t, &op, NULL);
+        for (int k = 0; k < 4 * SIZE * SIZE; ++k)
+            worst = fmax(worst, fabs((double)one[k] - (double)other[k]));
+        printf("    %g: %.2g\n", scale, worst);
+        assert_true(worst <= 1.0 / 255);
+        free(plain), free(one), free(other);
+    }
+    smart_stage_close(&t);
+}
+
+/* Run twice in a frame: as asked for last. Before contours opaque shades, which may not stay either. */
+static void the_last_run_counts(void **state) {
+    (void)state;
+    smart_stage t;
+    smart_stage_open(&t, false, SIZE, desc, MOST);
+    add_ring(&t, -1);
+    oit_operator ops[4] = {
+        {.kind = OIT_RUN_LINK}, {.kind = OIT_RUN_CURVATURE}, contours_of(20), {.kind = OIT_RUN_CURVATURE}};
+    ops[0].link.radius = (float)t.radius;
+    ops[1].curvature.shade = OIT_SHADE_CONVEX;
+    float *plain = draw(&t, NULL, NULL), *lines = draw(&t, &ops[2], NULL);
+    float *both = smart_stage_frame(&t, ops, 3, NULL, NULL), *neither = smart_stage_frame(&t, ops, 4, NULL, NULL);
+    assert_memory_not_equal(plain, lines, 4 * SIZE * SIZE * sizeof(float));
+    assert_memory_equal(both, lines, 4 * SIZE * SIZE * sizeof(float));
+    assert_memory_equal(neither, plain, 4 * SIZE * SIZE * sizeof(float));
+    free(plain), free(lines), free(both), free(neither);
+    smart_stage_close(&t);
+}
+
 static void bad_settings_are_refused(void **state) {
     (void)state;
     smart_stage t;
@@ -305,9 +353,12 @@ static void bad_settings_are_refused(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(pictures_are_the_references), cmocka_unit_test(contours_of_a_torus),
-        cmocka_unit_test(convex_things_have_none),     cmocka_unit_test(settings_do_what_they_say),
+        cmocka_unit_test(pictures_are_the_references),    cmocka_unit_test(contours_of_a_torus),
+        cmocka_unit_test(convex_things_have_none),        cmocka_unit_test(settings_do_what_they_say),
+        cmocka_unit_test(units_of_length_change_nothing), cmocka_unit_test(the_last_run_counts),
         cmocka_unit_test(bad_settings_are_refused),
     };
+    if (getenv("GLASSINE_TEST")) /* one of them */
+        cmocka_set_test_filter(getenv("GLASSINE_TEST"));
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

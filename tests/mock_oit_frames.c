@@ -1258,7 +1258,10 @@ enum {
     BASE_ALONE,
     LOCAL_BASE,
     LOCAL_FIELD,
-    CONTOURS
+    CONTOURS,
+    ROUGH_CONTOURS,
+    ONE_SIDED_CONTOURS,
+    ONE_SIDED_JUMPS
 };
 
 static const variant variants[] = {
@@ -1276,6 +1279,13 @@ static const variant variants[] = {
     {.name = "base by the host", .host_iterations = 3, .host_value = OIT_VALUE_BASE},
     {.name = "a field by the host", .host_iterations = 3, .host_value = OIT_VALUE_HOST},
     {.name = "contours", .curvature = {.contours = OIT_CONTOURS_SUGGESTIVE}},
+    {.name = "contours, not smoothed",
+     .curvature = {.contours = OIT_CONTOURS_SUGGESTIVE, .contour_iterations = -1},
+     .law = {.kind = OIT_LAW_ANGLE}},
+    {.name = "contours, one-sided",
+     .link = {.no_reverse_check = 1},
+     .curvature = {.contours = OIT_CONTOURS_SUGGESTIVE, .contour_iterations = 9}},
+    {.name = "jumps, one-sided", .link = {.no_reverse_check = 1}, .smart = {.jumps = 1}},
     {.name = "until stable", .smart = {.jumps = 1, .until_stable = 1}, .distance = 1},
     {.name = "thin, jumps", .smart = {.jumps = 1, .thin = 0.2f}, .law = {.kind = OIT_LAW_ADAPTIVE}},
     {.name = "gamma diffused", .smart = {.gamma = {.process = OIT_PROCESS_DIFFUSION}}, .distance = 1},
@@ -1442,7 +1452,7 @@ static void test_bytes_and_passes_of_operators(void **state) {
         {0, 3, HOST, PLAIN, 16, 4, 2, 2},                           /* order and fields; sort, the host's */
         {OIT_OPERATE_LOCAL, 1, HOST, LOCAL_FIELD, 16, 3, 2, 1 + 3}, /* a second field for to and fro */
         {OIT_OPERATE_LOCAL | OIT_OPERATE_LAW, 0, HOST, LOCAL_BASE, 16, 3, 3, 2 + 3}, /* + given */
-        {OIT_OPERATE_LINKS, 0, LINK, PLAIN, 24, 2, 4, 3},                            /* sort, connect, mutual */
+        {OIT_OPERATE_LINKS, 0, LINK, PLAIN, 24, 2, 4, 3},                            /* sort, window, mutual */
         {OIT_OPERATE_LINKS, 0, LINK, ONE_SIDED, 24, 2, 3, 2},                        /* no mutual */
         {OIT_OPERATE_LINKS, 0, LINK, BRUTE, 24, 2, 4, 1 + 4 + 1},                    /* a direction each */
         {OIT_OPERATE_LINKS, 0, LINK, PUBLISHED, 24, 2, 3, 1 + 4},
@@ -1451,11 +1461,14 @@ static void test_bytes_and_passes_of_operators(void **state) {
         {OIT_OPERATE_CURVATURE, 0, LINK | CURVE, PLAIN, 24, 4, 5, 4},
         {OIT_OPERATE_CONTOURS, 0, LINK | CURVE, PLAIN, 24, 6, 5, 4},         /* chosen, not asked for */
         {OIT_OPERATE_CONTOURS, 0, LINK | CURVE, CONTOURS, 24, 6, 6, 4 + 11}, /* 64 steps: ten pairs of chains */
-        {OIT_OPERATE_SMART, 0, LINK | SMART, PLAIN, 24, 5, 7, 3 + 2 + 20},   /* + given, bound, 20 iterations */
+        {OIT_OPERATE_CONTOURS, 0, LINK | CURVE, ROUGH_CONTOURS, 24, 6, 5, 4},
+        {OIT_OPERATE_CONTOURS, 0, LINK | CURVE, ONE_SIDED_CONTOURS, 24, 6, 5, 3 + 9}, /* no chains: iterated */
+        {OIT_OPERATE_SMART, 0, LINK | SMART, PLAIN, 24, 5, 7, 3 + 2 + 20}, /* + given, bound, 20 iterations */
         {OIT_OPERATE_SMART, 0, LINK | LAW | SMART, PLAIN, 24, 5, 7, 3 + 2 + 20},
         {OIT_OPERATE_SMART, 0, LINK | SMART, STILL, 24, 5, 6, 3 + 2},
         {OIT_OPERATE_SMART, 0, LINK | SMART, BASE_ALONE, 24, 5, 7, 3 + 2 + 20},
         {OIT_OPERATE_SMART, 0, LINK | SMART, JUMPING, 24, 5, 8, 3 + 2 + 16 + 4}, /* four rounds, three pairs for base */
+        {OIT_OPERATE_SMART, 0, LINK | SMART, ONE_SIDED_JUMPS, 24, 5, 7, 2 + 2 + 16 + 20}, /* base is iterated */
         {OIT_OPERATE_SMART | OIT_OPERATE_THIN, 0, LINK | SMART, PLAIN, 24, 7, 7,
          3 + 2 + 20}, /* chosen, not asked for */
         {OIT_OPERATE_SMART | OIT_OPERATE_THIN, 0, LINK | LAW | SMART, THIN, 24, 7, 8, 3 + 2 + 6 + 20}, /* to 20 / 0.5 */

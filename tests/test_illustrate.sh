@@ -387,6 +387,9 @@ for n in '' -1 501 x nan inf 1e999 0x1p3; do
 done
 wrong 'no silhouettes for --law distance' model:mug -o out/picture.png --law distance --iterations 0
 wrong 'mutual, murray, one-sided and carnecky' model:mug -o out/picture.png --neighbours both
+for word in '' apparent none:1 suggestive: suggestive:0 suggestive:x suggestive:1e7; do
+    wrong 'none, suggestive and suggestive:LEAST' model:mug -o out/picture.png --contours "$word"
+done
 for word in '' dull convex, ,deep; do
     wrong 'not known; there are convex, curved, front, deep and a FILE.png' model:mug -o out/picture.png --transfer "$word"
 done
@@ -437,7 +440,7 @@ refuses 1 'is a folder' model:mug -o in/folder.png
 run --help
 check '--help' [ "$status" -eq 0 ]
 for option in output style size view ortho transparent opaque hide list lines shade background k blend weights \
-    interior group group-distance enter quality up gles explain verbose version law iterations halo transfer glass neighbours; do
+    interior group group-distance enter quality up gles explain verbose version law iterations halo transfer glass neighbours contours; do
     check "--help names --$option" grep -q -e "--$option" stdout
 done
 run --version
@@ -543,6 +546,19 @@ for words in curved front curved,front deep; do
     check "--transfer $words" [ "$status" -eq 0 ]
     check "--transfer $words differs" sh -c '! cmp -s out/law.png out/curvature.png'
 done
+for style in smart curvature; do
+    run model:mug --size 64x48 --quality 1 --style "$style" -o out/law.png
+    run model:mug --size 64x48 --quality 1 --style "$style" --contours suggestive -o out/lined.png
+    check "--style $style --contours suggestive" [ "$status" -eq 0 ]
+    check "--style $style --contours suggestive differs" sh -c '! cmp -s out/law.png out/lined.png'
+    run model:mug --size 64x48 --quality 1 --style "$style" --contours none -o out/lined_too.png
+    check "--style $style --contours none is the default" cmp -s out/law.png out/lined_too.png
+    run model:mug --size 64x48 --quality 1 --style "$style" --contours suggestive:1 -o out/lined_too.png
+    check "--style $style --contours suggestive:1 is suggestive" cmp -s out/lined.png out/lined_too.png
+    run model:mug --size 64x48 --quality 1 --style "$style" --contours suggestive:0.1 -o out/lined_too.png
+    check "--style $style --contours suggestive:0.1 has faint ones" sh -c '! cmp -s out/lined.png out/lined_too.png'
+done
+rm -f out/lined.png out/lined_too.png
 run model:mug --size 1x8 --style opaque --background 800000 --view 0,89 -o out/table.png
 run model:stream_surface --size 64x48 --quality 1 --style curvature --transfer out/table.png -o out/law.png
 check '--transfer FILE.png' [ "$status" -eq 0 ]
