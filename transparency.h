@@ -4705,8 +4705,9 @@ static void tr_i_list_units(tr_i_see *see, const tr_dynamic *dynamic) {
     for (i = 0; i < dynamic->unit_count; ++i) {
         tr_unit unit = tr_i_unit_at(dynamic, i);
         const tr_i_place *place = &see->places[i];
-        int yields = tr_i_yields(&unit), block = (unit.flags & (TR_UNIT_IMPENETRABLE | TR_UNIT_BACKDROP)) != 0;
         int target = next < see->counts[TR_I_UNITS_TARGETS] && see->lists[TR_I_UNITS_TARGETS][next] == i, before;
+        int yields = tr_i_yields(&unit), /* of a scene in parts each unit is in one of them */
+            block = (unit.flags & (TR_UNIT_IMPENETRABLE | TR_UNIT_BACKDROP)) && !(target && see->plan.in_parts);
         float importance = unit.flags & TR_I_KEPT ? 0.0f : tr_i_importance_of(&unit);
         next += (size_t)target;
         tr_i_cells_of(grid, place, 0, cells);

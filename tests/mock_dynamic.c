@@ -367,6 +367,9 @@ static void parts_are_those_called_for(void **state) {
         assert_int_equal(run_parts(tr, &s, &d), 3);
         assert_int_equal(called_since(first, "BlitFramebuffer"), 1 + color);
         assert_int_equal(d.units[TR_PASS_TARGETS], 1);
+        s.units[TARGET].fade = 0;
+        s.units[TARGET].flags |= TR_UNIT_IMPENETRABLE; /* closes masks of others, but is drawn as a target */
+        assert_int_equal(run_parts(tr, &s, &d), 3);
         tr_destroy(tr);
         assert_nothing_left();
     }
