@@ -3078,10 +3078,8 @@ static const char *const tr_i_shader_take_opaque_frag[] = {
 #define TR_I_GL_FRONT_LEFT 0x0400u
 #define TR_I_GL_BACK_LEFT 0x0402u
 #define TR_I_GL_STENCIL 0x1802u
-#define TR_I_GL_STENCIL_ATTACHMENT 0x8D20u
 #define TR_I_GL_DEPTH_STENCIL_ATTACHMENT 0x821Au
 #define TR_I_GL_ATTACHMENT_OBJECT_TYPE 0x8CD0u
-#define TR_I_GL_ATTACHMENT_OBJECT_NAME 0x8CD1u
 #define TR_I_GL_ATTACHMENT_COLOR_ENCODING 0x8210u
 #define TR_I_GL_ATTACHMENT_COMPONENT_TYPE 0x8211u
 #define TR_I_GL_ATTACHMENT_DEPTH_SIZE 0x8216u
@@ -4751,22 +4749,21 @@ static int32_t tr_i_of_attachment(const tr_context *tr, tr_i_u attachment, tr_i_
     return value;
 }
 
-/* Of the framebuffer that is bound; -1: none of those that we know. Depth and stencil of two textures are not one format. */
+/* Of the framebuffer that is bound; -1: none of those that we know. What is packed with a stencil stays that where it is
+   attached for its depth alone; a stencil in a texture of its own is none of the depth's format. */
 static int tr_i_find_depth(const tr_context *tr) {
     tr_i_u depth = tr->frame.framebuffer ? TR_I_GL_DEPTH_ATTACHMENT : TR_I_GL_DEPTH;
-    tr_i_u stencil = tr->frame.framebuffer ? TR_I_GL_STENCIL_ATTACHMENT : TR_I_GL_STENCIL;
-    int32_t bits, stencils = 0, floats;
+    int32_t bits, stencil, floats;
     int i;
     if (tr_i_of_attachment(tr, depth, TR_I_GL_ATTACHMENT_OBJECT_TYPE) == 0)
         return -1;
     bits = tr_i_of_attachment(tr, depth, TR_I_GL_ATTACHMENT_DEPTH_SIZE);
     floats = tr_i_of_attachment(tr, depth, TR_I_GL_ATTACHMENT_COMPONENT_TYPE) == (int32_t)TR_I_GL_FLOAT;
-    if (tr_i_of_attachment(tr, stencil, TR_I_GL_ATTACHMENT_OBJECT_TYPE) != 0 &&
-        (!tr->frame.framebuffer || tr_i_of_attachment(tr, stencil, TR_I_GL_ATTACHMENT_OBJECT_NAME) ==
-                                       tr_i_of_attachment(tr, depth, TR_I_GL_ATTACHMENT_OBJECT_NAME)))
-        stencils = tr_i_of_attachment(tr, stencil, TR_I_GL_ATTACHMENT_STENCIL_SIZE);
+    if (!tr->frame.framebuffer && tr_i_of_attachment(tr, TR_I_GL_STENCIL, TR_I_GL_ATTACHMENT_OBJECT_TYPE) != 0)
+        depth = TR_I_GL_STENCIL; /* a window's are in one buffer, but for each only its own size has to be told */
+    stencil = tr_i_of_attachment(tr, depth, TR_I_GL_ATTACHMENT_STENCIL_SIZE);
     for (i = 0; i < TR_I_DEPTHS; ++i)
-        if (tr_i_depths[i].bits == bits && tr_i_depths[i].stencil == stencils && tr_i_depths[i].floats == floats)
+        if (tr_i_depths[i].bits == bits && tr_i_depths[i].stencil == stencil && tr_i_depths[i].floats == floats)
             return i;
     return -1;
 }
@@ -9951,19 +9948,29 @@ static int tr_i_next_step(tr_context *tr, tr_pass *pass) {
 
 /* ---- dynamic transparency: the passes of all rungs ---- */
 
+/* Of the first viewport: the one that copies heed. */
+static void tr_i_switch_scissor(const tr_context *tr, int on) {
+    if (tr->has_viewports)
+        tr_i_switch_of(tr, TR_I_GL_SCISSOR_TEST, 0, on);
+    else
+        tr_i_switch(tr, TR_I_GL_SCISSOR_TEST, on);
+}
+
 /* Copies what the host has drawn so far, depth or colour, to where a pass of the plan says. Between parts of the scene: the
-   host's state stays. */
+   host's state stays, without a snapshot of all of it. */
 static void tr_i_take(tr_context *tr, int index) {
     const tr_i_gl *gl = &tr->gl;
     const int *box = tr->see.plan.rectangle;
     int fbo = tr_i_see_fbo_of(&tr->see, index), x = tr->frame.x, y = tr->frame.y;
     int x1 = box[0] + box[2], y1 = box[1] + box[3];
     tr_i_u what = fbo == TR_I_SEE_FBO_TAKE_COLOR ? TR_I_GL_COLOR_BUFFER_BIT : TR_I_GL_DEPTH_BUFFER_BIT;
-    int32_t drawn = 0, read = 0;
+    int32_t drawn = 0, read = 0, bound[2] = {0, 0};
+    int cut = gl->IsEnabled(TR_I_GL_SCISSOR_TEST);
     if (what == TR_I_GL_DEPTH_BUFFER_BIT && tr_i_depths[tr->see.held_depth].stencil)
         what |= TR_I_GL_STENCIL_BUFFER_BIT; /* both at once are moved as they are */
-    tr_i_save(tr, &tr->saved);
-    gl->Disable(TR_I_GL_SCISSOR_TEST);
+    gl->GetIntegerv(TR_I_GL_DRAW_FRAMEBUFFER_BINDING, &bound[0]);
+    gl->GetIntegerv(TR_I_GL_READ_FRAMEBUFFER_BINDING, &bound[1]);
+    tr_i_switch_scissor(tr, 0);
     gl->BindFramebuffer(TR_I_GL_DRAW_FRAMEBUFFER, tr->frame.framebuffer);
     gl->BindFramebuffer(TR_I_GL_READ_FRAMEBUFFER, tr->frame.framebuffer);
     gl->GetIntegerv(TR_I_GL_DRAW_BUFFER0, &drawn);
@@ -9972,7 +9979,9 @@ static void tr_i_take(tr_context *tr, int index) {
     gl->BindFramebuffer(TR_I_GL_DRAW_FRAMEBUFFER, tr->see.fbos[fbo]);
     gl->BlitFramebuffer(x + box[0], y + box[1], x + x1, y + y1, box[0], box[1], x1, y1, what, TR_I_GL_NEAREST);
     gl->ReadBuffer((tr_i_u)read);
-    tr_i_restore(tr, &tr->saved);
+    gl->BindFramebuffer(TR_I_GL_DRAW_FRAMEBUFFER, (tr_i_u)bound[0]);
+    gl->BindFramebuffer(TR_I_GL_READ_FRAMEBUFFER, (tr_i_u)bound[1]);
+    tr_i_switch_scissor(tr, cut);
 }
 
 /* What may show through the masks of the next region, in the region's rectangle. 0: no region is left. */

@@ -498,9 +498,8 @@ static void bytes_of_parts(void **state) {
             int first = driver.call_count;
             run_dynamic(tr, &s);
             assert_int_equal(called_since(first, "TexImage2D"), 0);
-            bytes += bits == 0                ? (see == TR_SEE_ONE_MASK ? 14u : 14u) * w * h
-                     : see == TR_SEE_ONE_MASK ? (8u + 6u) * w * h /* two copies of depth, mask; colour */ + 4 * w * h
-                                              : (8u + 6u) * w * h;
+            /* Of depth two copies, or one of ours and the mark; of the mask 6; in parts the colour is one more. */
+            bytes += (bits > 0 && see == TR_SEE_ONE_MASK ? 18u : 14u) * w * h;
             assert_int_equal(tr_get_info(tr).see_plan->bytes, bytes);
         }
         driver.depth_bits = 24;
@@ -513,6 +512,30 @@ static void bytes_of_parts(void **state) {
         assert_true(tr_get_info(tr).see_plan->in_parts && called_since(first, "TexImage2D") > 0);
         assert_int_equal(tr_get_info(tr).see_plan->bytes, tr_get_info(tr).bytes);
         assert_int_equal(tr_get_info(tr).see_plan->bytes, before + 8 * 640 * 480); /* two copies */
+        tr_destroy(tr);
+        assert_nothing_left();
+    }
+}
+
+/* A format that is packed with a stencil is copied as that, also where it is attached for its depth alone; and one snapshot
+ * of the host's state is enough for all copies. */
+static void copies_are_of_the_format_and_cheap(void **state) {
+    (void)state;
+    for (int alone = 0; alone < 2; ++alone) {
+        tr_context *tr = open_context(TR_STATE_RESTORE, NULL);
+        setting s = make_setting();
+        uint64_t w = 640, h = 480;
+        s.dynamic.in_parts = 1;
+        s.frame.framebuffer = 7;
+        driver.depth_bits = 32;
+        driver.depth_alone = alone;
+        run_dynamic(tr, &s);
+        /* Two copies of 8 bytes, another depth of 4, colour of 4, mask of 6; then what is smaller. */
+        assert_int_equal(tr_get_info(tr).see_plan->bytes, (26 * w * h) + w * h / 8 + 12 * (w / 4) * (h / 4));
+        int first = driver.call_count;
+        run_dynamic(tr, &s);
+        assert_int_equal(called_since(first, "BlitFramebuffer"), 3);
+        assert_int_equal(called_since(first, "GetBooleanv"), 1);
         tr_destroy(tr);
         assert_nothing_left();
     }
@@ -1203,6 +1226,7 @@ int main(void) {
         cmocka_unit_test(what_cannot_be_copied_comes_whole),
         cmocka_unit_test(parts_of_plain_drawing_call_nothing),
         cmocka_unit_test(bytes_of_parts),
+        cmocka_unit_test(copies_are_of_the_format_and_cheap),
         cmocka_unit_test(plain_drawing_creates_nothing),
         cmocka_unit_test(an_empty_viewport_draws_nothing),
         cmocka_unit_test(passes_are_those_called_for),
