@@ -210,7 +210,8 @@
      pass.units, set dynamic.in_parts. Then TR_PASS_SCENE comes several times, by TR_RULE_SEE_PLAIN with the host's own
      programs into its own target: targets, what never yields, the rest; depth and colour are copied in between, so that
      TR_SEE_ONE_MASK draws again what shows through and nothing else, and TR_SEE_DITHER draws each unit once, most of them
-     without the discard. The picture is the same. What the target has to be for it: tr_begin_dynamic.
+     without the discard. The picture is the same. What the target has to be for it: tr_begin_dynamic. A host that draws
+     all it has whenever it draws its scene leaves in_parts at 0: everything would be taken for what never yields.
    - Search lights: targets with TR_UNIT_ACTIVE are seen inside of dynamic.lights only. Coming and going: tr_advance(), with
      wanted 1 for what shall fade out; it is the mask that fades, not the unit.
    - tr_query_hidden() tells how much of each target is hidden, two or three frames late, without waiting.
@@ -469,7 +470,7 @@ typedef enum tr_pass_kind {
     TR_PASS_SHARE,          /* boxes: what masks leave of the opacity of four layers */
     TR_PASS_COMPOSE_LAYERS, /* full screen, into the target */
     /* of tr_dynamic.in_parts */
-    TR_PASS_TAKE, /* copies depth, or depth and colour, of what the host has drawn so far */
+    TR_PASS_TAKE, /* within tr_next_pass: copies depth or colour of what the host has drawn so far */
     TR_PASS_KIND_COUNT
 } tr_pass_kind;
 
@@ -681,7 +682,8 @@ typedef struct tr_dynamic {
     size_t light_count;
     uint32_t frame_index; /* of TR_SEE_DITHER: counts frames, for a pattern that averages out over time */
     int query;            /* 1: count what is hidden, for tr_query_hidden; one more pass, see there */
-    float background[3];  /* colour where nothing is drawn, as the target was cleared to; a sky is better a backdrop */
+    float background[3];  /* colour where nothing is drawn, as the target was cleared to; a sky is better a backdrop. In
+                             parts what is in the target stands for it */
     const void *units;    /* unit_count times tr_unit, unit_stride bytes apart; 0: sizeof(tr_unit) */
     size_t unit_count, unit_stride;
     float view[16], projection[16]; /* column-major: world to eye (w = 1), eye to clip */
@@ -732,9 +734,11 @@ typedef struct tr_see_plan {
    With dynamic.in_parts there may be up to four of TR_PASS_SCENE, each with units of its own that the others do not have,
    and pass.rule tells the program. What never yields comes first, and its depth and colour are copied from the target in
    between. So the target is cleared before tr_begin_dynamic, to the far depth; nothing else is drawn there before; the
-   depth range is 0 to 1; and polygons are not offset. The scene comes whole where the plan says so
-   (tr_see_plan.parts_why): with TR_STATE_NONE, into multisampled targets, targets without depth, of integers, or of
-   another encoding than TR_WISH_SRGB says.
+   depth range is 0 to 1; and polygons are not offset. With active or fading targets, such of importance below 1 and
+   queries, targets are drawn again against the copy: the host's own programs for them declare gl_Position invariant, too,
+   and compute it as their variants do. The scene comes whole where the plan says so (tr_see_plan.parts_why): with
+   TR_STATE_NONE; into multisampled targets, those without depth or of integers, and where TR_WISH_SRGB says another
+   encoding than the target's; with targets drawn again, into a viewport that is not at the target's corner.
    On an error no pass comes, TR_PASS_SCENE neither: the host draws its scene as it does without this header.
    TR_INVALID_ARGUMENT: matrices or numbers that are not finite, values out of range, an id out of range or of two
    targets; lights or units that are NULL; what the rung cannot do (see docs/dynamic.md). */
@@ -4981,7 +4985,7 @@ static int tr_i_is_marked(const tr_i_see *see, const tr_dynamic *dynamic) {
 }
 
 /* Whether the scene comes in parts, which asks GL of the target. */
-static void tr_i_plan_whole(tr_context *tr, const tr_dynamic *dynamic) {
+static void tr_i_plan_parts(tr_context *tr, const tr_dynamic *dynamic) {
     tr_i_see *see = &tr->see;
     if (!dynamic->in_parts || dynamic->see == TR_SEE_OFF || see->counts[TR_I_UNITS_TARGETS] == 0)
         return;
@@ -5006,7 +5010,7 @@ static void tr_i_plan_see(tr_context *tr, const tr_dynamic *dynamic, int width, 
         return;
     }
     tr_i_find_units(see, dynamic, width, height);
-    tr_i_plan_whole(tr, dynamic);
+    tr_i_plan_parts(tr, dynamic);
     if (see->counts[TR_I_UNITS_TARGETS])
         tr_i_list_units(see, dynamic);
     see->plan.masks = (uint32_t)see->counts[TR_I_UNITS_TARGETS];
