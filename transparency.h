@@ -4772,9 +4772,10 @@ static int tr_i_find_depth(const tr_context *tr) {
     return -1;
 }
 
-/* Whether colours of the framebuffer that is bound can be copied as they are; TR_WISH_SRGB says how ours are kept. */
+/* Whether colours of the framebuffer that is bound can be copied as they are; TR_WISH_SRGB says how ours are kept. A target
+   that could encode, as many windows can, does not where GL_FRAMEBUFFER_SRGB is off, in copies neither. */
 static int tr_i_can_take_color(const tr_context *tr) {
-    int32_t buffer = 0, type, wished = (tr->frame.wishes.options & TR_WISH_SRGB) != 0;
+    int32_t buffer = 0, type, wished = (tr->frame.wishes.options & TR_WISH_SRGB) != 0, encodes;
     tr_i_u attachment;
     tr->gl.GetIntegerv(TR_I_GL_DRAW_BUFFER0, &buffer);
     attachment = (tr_i_u)buffer;
@@ -4785,8 +4786,9 @@ static int tr_i_can_take_color(const tr_context *tr) {
     if (buffer == 0 || tr_i_of_attachment(tr, attachment, TR_I_GL_ATTACHMENT_OBJECT_TYPE) == 0)
         return 0;
     type = tr_i_of_attachment(tr, attachment, TR_I_GL_ATTACHMENT_COMPONENT_TYPE);
-    return type != (int32_t)TR_I_GL_INT && type != (int32_t)TR_I_GL_UNSIGNED_INT &&
-           wished == (tr_i_of_attachment(tr, attachment, TR_I_GL_ATTACHMENT_COLOR_ENCODING) == (int32_t)TR_I_GL_SRGB);
+    encodes = tr_i_of_attachment(tr, attachment, TR_I_GL_ATTACHMENT_COLOR_ENCODING) == (int32_t)TR_I_GL_SRGB &&
+              (wished || tr->es || tr->gl.IsEnabled(TR_I_GL_FRAMEBUFFER_SRGB));
+    return type != (int32_t)TR_I_GL_INT && type != (int32_t)TR_I_GL_UNSIGNED_INT && wished == encodes;
 }
 
 /* Why the scene cannot come in parts; 0: it can. Asks of the target what a copy has to know. */

@@ -26,6 +26,7 @@ static const formats targets[] = {
     {"rgba16f, depth 32f", GL_RGBA16F, GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT, 0},
     {"rgb10a2, depth 32f, stencil 8", GL_RGB10_A2, GL_DEPTH32F_STENCIL8, GL_DEPTH_STENCIL,
      GL_FLOAT_32_UNSIGNED_INT_24_8_REV, 0},
+    {"srgb8 that does not encode", GL_SRGB8_ALPHA8, GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT, 0},
     {"rgba8, depth 16", GL_RGBA8, GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT, GL_UNSIGNED_SHORT, 0.0005}};
 enum { TARGETS = sizeof targets / sizeof targets[0] };
 
