@@ -312,9 +312,33 @@ static void light_is_blended(void **state) {
     harness_close(&h);
 }
 
+/* Where the target encodes and TR_WISH_SRGB does not say so the scene comes whole: ours would not hold what it shows. */
+static void unsaid_encoding_comes_whole(void **state) {
+    static const formats srgb = {"srgb8",          GL_SRGB8_ALPHA8,      GL_DEPTH24_STENCIL8,
+                                 GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, 0};
+    (void)state;
+    for (int es = 0; es < 2; ++es) {
+        harness h;
+        dynamic_scene d;
+        harness_open(&h, es ? 300 : 330, es, NULL);
+        make_target(&h, &srgb);
+        dynamic_open(&d, &h, dynamic_random_field(1, 60, 8, true));
+        dynamic_look(&d, EYE, ORIGIN, 45, WIDTH, HEIGHT);
+        if (!es)
+            glEnable(GL_FRAMEBUFFER_SRGB);
+        d.wish.in_parts = 1;
+        dynamic_draw(&h, &d);
+        assert_int_equal(tr_get_info(h.tr).see_plan->see, TR_SEE_ONE_MASK);
+        assert_true(!tr_get_info(h.tr).see_plan->in_parts && tr_get_info(h.tr).see_plan->parts_why);
+        dynamic_close(&d);
+        harness_close(&h);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(parts_are_the_whole), cmocka_unit_test(parts_in_every_context),
-                                       cmocka_unit_test(light_is_blended)};
+                                       cmocka_unit_test(light_is_blended),
+                                       cmocka_unit_test(unsaid_encoding_comes_whole)};
     if (getenv("GLASSINE_TEST"))
         cmocka_set_test_filter(getenv("GLASSINE_TEST"));
     return cmocka_run_group_tests(tests, NULL, NULL);
