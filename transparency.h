@@ -210,7 +210,8 @@
      pass.units, set dynamic.in_parts. Then TR_PASS_SCENE comes several times, by TR_RULE_SEE_PLAIN with the host's own
      programs into its own target: targets, what never yields, the rest; depth and colour are copied in between, so that
      TR_SEE_ONE_MASK draws again what shows through and nothing else, and TR_SEE_DITHER draws each unit once, most of them
-     without the discard. The picture is the same. What the target has to be for it: tr_begin_dynamic.
+     without the discard. The picture is the same. What the target has to be for it: tr_begin_dynamic. A host that draws
+     all it has whenever it draws its scene leaves in_parts at 0: everything would be taken for what never yields.
    - Search lights: targets with TR_UNIT_ACTIVE are seen inside of dynamic.lights only. Coming and going: tr_advance(), with
      wanted 1 for what shall fade out; it is the mask that fades, not the unit.
    - tr_query_hidden() tells how much of each target is hidden, two or three frames late, without waiting.
@@ -469,7 +470,7 @@ typedef enum tr_pass_kind {
     TR_PASS_SHARE,          /* boxes: what masks leave of the opacity of four layers */
     TR_PASS_COMPOSE_LAYERS, /* full screen, into the target */
     /* of tr_dynamic.in_parts */
-    TR_PASS_TAKE, /* copies depth, or depth and colour, of what the host has drawn so far */
+    TR_PASS_TAKE, /* within tr_next_pass: copies depth or colour of what the host has drawn so far */
     TR_PASS_KIND_COUNT
 } tr_pass_kind;
 
@@ -681,7 +682,8 @@ typedef struct tr_dynamic {
     size_t light_count;
     uint32_t frame_index; /* of TR_SEE_DITHER: counts frames, for a pattern that averages out over time */
     int query;            /* 1: count what is hidden, for tr_query_hidden; one more pass, see there */
-    float background[3];  /* colour where nothing is drawn, as the target was cleared to; a sky is better a backdrop */
+    float background[3];  /* colour where nothing is drawn, as the target was cleared to; a sky is better a backdrop. In
+                             parts what is in the target stands for it */
     const void *units;    /* unit_count times tr_unit, unit_stride bytes apart; 0: sizeof(tr_unit) */
     size_t unit_count, unit_stride;
     float view[16], projection[16]; /* column-major: world to eye (w = 1), eye to clip */
@@ -732,9 +734,11 @@ typedef struct tr_see_plan {
    With dynamic.in_parts there may be up to four of TR_PASS_SCENE, each with units of its own that the others do not have,
    and pass.rule tells the program. What never yields comes first, and its depth and colour are copied from the target in
    between. So the target is cleared before tr_begin_dynamic, to the far depth; nothing else is drawn there before; the
-   depth range is 0 to 1; and polygons are not offset. The scene comes whole where the plan says so
-   (tr_see_plan.parts_why): with TR_STATE_NONE, into multisampled targets, targets without depth, of integers, or of
-   another encoding than TR_WISH_SRGB says.
+   depth range is 0 to 1; and polygons are not offset. With active or fading targets, such of importance below 1 and
+   queries, targets are drawn again against the copy: the host's own programs for them declare gl_Position invariant, too,
+   and compute it as their variants do. The scene comes whole where the plan says so (tr_see_plan.parts_why): with
+   TR_STATE_NONE; into multisampled targets, those without depth or of integers, and where TR_WISH_SRGB says another
+   encoding than the target's; with targets drawn again, into a viewport that is not at the target's corner.
    On an error no pass comes, TR_PASS_SCENE neither: the host draws its scene as it does without this header.
    TR_INVALID_ARGUMENT: matrices or numbers that are not finite, values out of range, an id out of range or of two
    targets; lights or units that are NULL; what the rung cannot do (see docs/dynamic.md). */
@@ -3078,10 +3082,8 @@ static const char *const tr_i_shader_take_opaque_frag[] = {
 #define TR_I_GL_FRONT_LEFT 0x0400u
 #define TR_I_GL_BACK_LEFT 0x0402u
 #define TR_I_GL_STENCIL 0x1802u
-#define TR_I_GL_STENCIL_ATTACHMENT 0x8D20u
 #define TR_I_GL_DEPTH_STENCIL_ATTACHMENT 0x821Au
 #define TR_I_GL_ATTACHMENT_OBJECT_TYPE 0x8CD0u
-#define TR_I_GL_ATTACHMENT_OBJECT_NAME 0x8CD1u
 #define TR_I_GL_ATTACHMENT_COLOR_ENCODING 0x8210u
 #define TR_I_GL_ATTACHMENT_COMPONENT_TYPE 0x8211u
 #define TR_I_GL_ATTACHMENT_DEPTH_SIZE 0x8216u
@@ -4705,8 +4707,9 @@ static void tr_i_list_units(tr_i_see *see, const tr_dynamic *dynamic) {
     for (i = 0; i < dynamic->unit_count; ++i) {
         tr_unit unit = tr_i_unit_at(dynamic, i);
         const tr_i_place *place = &see->places[i];
-        int yields = tr_i_yields(&unit), block = (unit.flags & (TR_UNIT_IMPENETRABLE | TR_UNIT_BACKDROP)) != 0;
         int target = next < see->counts[TR_I_UNITS_TARGETS] && see->lists[TR_I_UNITS_TARGETS][next] == i, before;
+        int yields = tr_i_yields(&unit), /* of a scene in parts each unit is in one of them */
+            block = (unit.flags & (TR_UNIT_IMPENETRABLE | TR_UNIT_BACKDROP)) && !(target && see->plan.in_parts);
         float importance = unit.flags & TR_I_KEPT ? 0.0f : tr_i_importance_of(&unit);
         next += (size_t)target;
         tr_i_cells_of(grid, place, 0, cells);
@@ -4750,29 +4753,29 @@ static int32_t tr_i_of_attachment(const tr_context *tr, tr_i_u attachment, tr_i_
     return value;
 }
 
-/* Of the framebuffer that is bound; -1: none of those that we know. Depth and stencil of two textures are not one format. */
+/* Of the framebuffer that is bound; -1: none of those that we know. What is packed with a stencil stays that where it is
+   attached for its depth alone; a stencil in a texture of its own is none of the depth's format. */
 static int tr_i_find_depth(const tr_context *tr) {
     tr_i_u depth = tr->frame.framebuffer ? TR_I_GL_DEPTH_ATTACHMENT : TR_I_GL_DEPTH;
-    tr_i_u stencil = tr->frame.framebuffer ? TR_I_GL_STENCIL_ATTACHMENT : TR_I_GL_STENCIL;
-    int32_t bits, stencils = 0, floats;
+    int32_t bits, stencil, floats;
     int i;
     if (tr_i_of_attachment(tr, depth, TR_I_GL_ATTACHMENT_OBJECT_TYPE) == 0)
         return -1;
     bits = tr_i_of_attachment(tr, depth, TR_I_GL_ATTACHMENT_DEPTH_SIZE);
     floats = tr_i_of_attachment(tr, depth, TR_I_GL_ATTACHMENT_COMPONENT_TYPE) == (int32_t)TR_I_GL_FLOAT;
-    if (tr_i_of_attachment(tr, stencil, TR_I_GL_ATTACHMENT_OBJECT_TYPE) != 0 &&
-        (!tr->frame.framebuffer || tr_i_of_attachment(tr, stencil, TR_I_GL_ATTACHMENT_OBJECT_NAME) ==
-                                       tr_i_of_attachment(tr, depth, TR_I_GL_ATTACHMENT_OBJECT_NAME)))
-        stencils = tr_i_of_attachment(tr, stencil, TR_I_GL_ATTACHMENT_STENCIL_SIZE);
+    if (!tr->frame.framebuffer && tr_i_of_attachment(tr, TR_I_GL_STENCIL, TR_I_GL_ATTACHMENT_OBJECT_TYPE) != 0)
+        depth = TR_I_GL_STENCIL; /* a window's are in one buffer, but for each only its own size has to be told */
+    stencil = tr_i_of_attachment(tr, depth, TR_I_GL_ATTACHMENT_STENCIL_SIZE);
     for (i = 0; i < TR_I_DEPTHS; ++i)
-        if (tr_i_depths[i].bits == bits && tr_i_depths[i].stencil == stencils && tr_i_depths[i].floats == floats)
+        if (tr_i_depths[i].bits == bits && tr_i_depths[i].stencil == stencil && tr_i_depths[i].floats == floats)
             return i;
     return -1;
 }
 
-/* Whether colours of the framebuffer that is bound can be copied as they are; TR_WISH_SRGB says how ours are kept. */
+/* Whether colours of the framebuffer that is bound can be copied as they are; TR_WISH_SRGB says how ours are kept. A target
+   that could encode, as many windows can, does not where GL_FRAMEBUFFER_SRGB is off, in copies neither. */
 static int tr_i_can_take_color(const tr_context *tr) {
-    int32_t buffer = 0, type, wished = (tr->frame.wishes.options & TR_WISH_SRGB) != 0;
+    int32_t buffer = 0, type, wished = (tr->frame.wishes.options & TR_WISH_SRGB) != 0, encodes;
     tr_i_u attachment;
     tr->gl.GetIntegerv(TR_I_GL_DRAW_BUFFER0, &buffer);
     attachment = (tr_i_u)buffer;
@@ -4783,8 +4786,9 @@ static int tr_i_can_take_color(const tr_context *tr) {
     if (buffer == 0 || tr_i_of_attachment(tr, attachment, TR_I_GL_ATTACHMENT_OBJECT_TYPE) == 0)
         return 0;
     type = tr_i_of_attachment(tr, attachment, TR_I_GL_ATTACHMENT_COMPONENT_TYPE);
-    return type != (int32_t)TR_I_GL_INT && type != (int32_t)TR_I_GL_UNSIGNED_INT &&
-           wished == (tr_i_of_attachment(tr, attachment, TR_I_GL_ATTACHMENT_COLOR_ENCODING) == (int32_t)TR_I_GL_SRGB);
+    encodes = tr_i_of_attachment(tr, attachment, TR_I_GL_ATTACHMENT_COLOR_ENCODING) == (int32_t)TR_I_GL_SRGB &&
+              (wished || tr->es || tr->gl.IsEnabled(TR_I_GL_FRAMEBUFFER_SRGB));
+    return type != (int32_t)TR_I_GL_INT && type != (int32_t)TR_I_GL_UNSIGNED_INT && wished == encodes;
 }
 
 /* Why the scene cannot come in parts; 0: it can. Asks of the target what a copy has to know. */
@@ -4983,7 +4987,7 @@ static int tr_i_is_marked(const tr_i_see *see, const tr_dynamic *dynamic) {
 }
 
 /* Whether the scene comes in parts, which asks GL of the target. */
-static void tr_i_plan_whole(tr_context *tr, const tr_dynamic *dynamic) {
+static void tr_i_plan_parts(tr_context *tr, const tr_dynamic *dynamic) {
     tr_i_see *see = &tr->see;
     if (!dynamic->in_parts || dynamic->see == TR_SEE_OFF || see->counts[TR_I_UNITS_TARGETS] == 0)
         return;
@@ -5008,7 +5012,7 @@ static void tr_i_plan_see(tr_context *tr, const tr_dynamic *dynamic, int width, 
         return;
     }
     tr_i_find_units(see, dynamic, width, height);
-    tr_i_plan_whole(tr, dynamic);
+    tr_i_plan_parts(tr, dynamic);
     if (see->counts[TR_I_UNITS_TARGETS])
         tr_i_list_units(see, dynamic);
     see->plan.masks = (uint32_t)see->counts[TR_I_UNITS_TARGETS];
@@ -9950,19 +9954,29 @@ static int tr_i_next_step(tr_context *tr, tr_pass *pass) {
 
 /* ---- dynamic transparency: the passes of all rungs ---- */
 
+/* Of the first viewport: the one that copies heed. */
+static void tr_i_switch_scissor(const tr_context *tr, int on) {
+    if (tr->has_viewports)
+        tr_i_switch_of(tr, TR_I_GL_SCISSOR_TEST, 0, on);
+    else
+        tr_i_switch(tr, TR_I_GL_SCISSOR_TEST, on);
+}
+
 /* Copies what the host has drawn so far, depth or colour, to where a pass of the plan says. Between parts of the scene: the
-   host's state stays. */
+   host's state stays, without a snapshot of all of it. */
 static void tr_i_take(tr_context *tr, int index) {
     const tr_i_gl *gl = &tr->gl;
     const int *box = tr->see.plan.rectangle;
     int fbo = tr_i_see_fbo_of(&tr->see, index), x = tr->frame.x, y = tr->frame.y;
     int x1 = box[0] + box[2], y1 = box[1] + box[3];
     tr_i_u what = fbo == TR_I_SEE_FBO_TAKE_COLOR ? TR_I_GL_COLOR_BUFFER_BIT : TR_I_GL_DEPTH_BUFFER_BIT;
-    int32_t drawn = 0, read = 0;
+    int32_t drawn = 0, read = 0, bound[2] = {0, 0};
+    int cut = gl->IsEnabled(TR_I_GL_SCISSOR_TEST);
     if (what == TR_I_GL_DEPTH_BUFFER_BIT && tr_i_depths[tr->see.held_depth].stencil)
         what |= TR_I_GL_STENCIL_BUFFER_BIT; /* both at once are moved as they are */
-    tr_i_save(tr, &tr->saved);
-    gl->Disable(TR_I_GL_SCISSOR_TEST);
+    gl->GetIntegerv(TR_I_GL_DRAW_FRAMEBUFFER_BINDING, &bound[0]);
+    gl->GetIntegerv(TR_I_GL_READ_FRAMEBUFFER_BINDING, &bound[1]);
+    tr_i_switch_scissor(tr, 0);
     gl->BindFramebuffer(TR_I_GL_DRAW_FRAMEBUFFER, tr->frame.framebuffer);
     gl->BindFramebuffer(TR_I_GL_READ_FRAMEBUFFER, tr->frame.framebuffer);
     gl->GetIntegerv(TR_I_GL_DRAW_BUFFER0, &drawn);
@@ -9971,7 +9985,9 @@ static void tr_i_take(tr_context *tr, int index) {
     gl->BindFramebuffer(TR_I_GL_DRAW_FRAMEBUFFER, tr->see.fbos[fbo]);
     gl->BlitFramebuffer(x + box[0], y + box[1], x + x1, y + y1, box[0], box[1], x1, y1, what, TR_I_GL_NEAREST);
     gl->ReadBuffer((tr_i_u)read);
-    tr_i_restore(tr, &tr->saved);
+    gl->BindFramebuffer(TR_I_GL_DRAW_FRAMEBUFFER, (tr_i_u)bound[0]);
+    gl->BindFramebuffer(TR_I_GL_READ_FRAMEBUFFER, (tr_i_u)bound[1]);
+    tr_i_switch_scissor(tr, cut);
 }
 
 /* What may show through the masks of the next region, in the region's rectangle. 0: no region is left. */

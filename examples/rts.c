@@ -52,7 +52,7 @@ static const char *const HELP[] = {
     "  --alpha-target A         opacity left before a unit, 0 to 1; default 0.3\n"
     "  --alpha-start A          and beside it; default 0.1\n"
     "  --mask-width PIXELS      over which it rises to 1, 0 to 25; default 12\n"
-    "  --mask-divisor N         pixels a mask texel: 1, 2, 4 or 8; default 2, of exact 1\n"
+    "  --mask-divisor N         pixels a mask texel: 1, 2, 4 or 8; default 4, of sequences 2, of exact 1\n"
     "  --layers N               only the N layers nearest to the eye yield; default 0: all\n"
     "  --active                 units are seen inside the search light only; in the window it follows the mouse\n"
     "  --light X,Y,RADIUS,EDGE  the light, in pixels from the lower left corner; default 0.3 of the height, in the middle\n"

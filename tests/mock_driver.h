@@ -15,7 +15,8 @@ static struct {
     int fail_framebuffer; /* the n-th check of completeness fails; 0: none */
     uint32_t refused_framebuffer, refused_texture, other_texture; /* other_texture: one that is not 2D */
     int width, height;                                            /* of the host's textures */
-    int depth_bits;                                               /* of the target */
+    int depth_bits;                                               /* of the target; 32: floats */
+    bool depth_alone;                                             /* its stencil is not attached */
     uint32_t color_buffer, component_type;                        /* its first draw buffer, and what is in all of its */
     int framebuffer_checks, samples, max_texture_size;
     int live[7];           /* textures, framebuffers, buffers, vertex arrays, shaders, programs, fences */
@@ -151,12 +152,13 @@ FAKE(GetBooleanv, (U a, B *b), (void)a; memset(b, 1, 4);)
 FAKE(GetBooleani_v, (U a, U b, B *c), (void)a; (void)b; memset(c, 1, 4);)
 FAKE(GetFloatv, (U a, float *b), (void)a; b[0] = 0; b[1] = 1;)
 /* Of a target of so many bits of depth, and 8 of stencil in the same texture. */
-FAKE(GetFramebufferAttachmentParameteriv, (U a, U b, U c, I *d), (void)a; (void)b;
-     *d = c == 0x8CD0u   ? (driver.depth_bits || b == driver.color_buffer ? 0x1702 : 0)
-          : c == 0x8216u ? driver.depth_bits
-          : c == 0x8217u ? 8
-          : c == 0x8210u ? 0x2601
-          : c == 0x8211u ? (I)driver.component_type
+FAKE(GetFramebufferAttachmentParameteriv, (U a, U b, U c, I *d), (void)a;
+     *d = b == 0x8D20u && driver.depth_alone ? 0
+          : c == 0x8CD0u                     ? (driver.depth_bits || b == driver.color_buffer ? 0x1702 : 0)
+          : c == 0x8216u                     ? driver.depth_bits
+          : c == 0x8217u                     ? 8
+          : c == 0x8210u                     ? 0x2601
+          : c == 0x8211u ? (I)(b == 0x8D00u && driver.depth_bits == 32 ? 0x1406u : driver.component_type)
                          : 1;)
 FAKE(GetTexLevelParameteriv, (U a, I b, U c, I *d), (void)a; (void)b; *d = c == 0x1000u ? driver.width : driver.height;)
 FAKE(GetInteger64i_v, (U a, U b, int64_t *c), (void)a; (void)b; *c = 0;)
