@@ -1,6 +1,6 @@
 /* accuracy_smart.h: rows of `make accuracy` for oit_buffers.h: its stores, and the operators of smart transparency.
  *
- * oit: whole frames; the error is against all hits of each pixel's ray, sorted and blended in double (oit_scene.h), pixels
+ * oit_*: whole frames; the error is against all hits of each pixel's ray, sorted and blended in double (oit_scene.h), pixels
  * nearer than half a pixel to an edge left out. The target is of floats, so that what packing costs is seen.
  * oit_depth_bits: the same, with a near plane so near that neighbouring layers have the same 16 bits of depth.
  *
@@ -53,46 +53,48 @@ static double operator_rms(const operator_error *e) {
 /* ---- stores ---- */
 
 typedef struct store_setting {
-    const char *name;
+    const char *effect, *name;
     oit_desc desc;
 } store_setting;
 
-#define OPERATOR_MIB(n) ((int64_t)(n) << 20)
 #define OPERATOR_BUDGET(n)                                                                                             \
     {                                                                                                                  \
-        "budget " #n " MiB", {                                                                                         \
-            .store = OIT_STORE_BUDGET, .budget_bytes = OPERATOR_MIB(n)                                                 \
+        "oit_budget", #n " MiB", {                                                                                     \
+            .store = OIT_STORE_BUDGET, .budget_bytes = (int64_t)(n) << 20                                              \
         }                                                                                                              \
     }
-#define OPERATOR_BUCKETED(k, bits)                                                                                     \
+#define OPERATOR_BUCKETED(effect, k, bits)                                                                             \
     {                                                                                                                  \
-        "bucketed " #k ", " #bits " bits", {                                                                           \
+        effect, #k " layers, " #bits " bits", {                                                                        \
             .store = OIT_STORE_BUCKETED, .fields = OIT_FIELD_PART, .layers = k, .bucket_depth_bits = bits              \
         }                                                                                                              \
     }
 
-static const store_setting operator_stores[] = {{"exact", {.store = OIT_STORE_EXACT}},
-                                                {"exact, half", {.color = OIT_COLOR_HALF}},
-                                                {"exact, float", {.color = OIT_COLOR_FLOAT}},
-                                                {"predict", {.store = OIT_STORE_PREDICT}},
-                                                {"linked", {.store = OIT_STORE_LINKED}},
-                                                {"fetch", {.store = OIT_STORE_FETCH}},
+static const store_setting operator_stores[] = {{"oit", "exact", {.store = OIT_STORE_EXACT}},
+                                                {"oit", "exact, half", {.color = OIT_COLOR_HALF}},
+                                                {"oit", "exact, float", {.color = OIT_COLOR_FLOAT}},
+                                                {"oit", "predict", {.store = OIT_STORE_PREDICT}},
+                                                {"oit", "linked", {.store = OIT_STORE_LINKED}},
+                                                {"oit", "fetch", {.store = OIT_STORE_FETCH}},
                                                 OPERATOR_BUDGET(1),
                                                 OPERATOR_BUDGET(2),
                                                 OPERATOR_BUDGET(4),
                                                 OPERATOR_BUDGET(8),
                                                 OPERATOR_BUDGET(16),
                                                 OPERATOR_BUDGET(64),
-                                                OPERATOR_BUCKETED(2, 32),
-                                                OPERATOR_BUCKETED(4, 32),
-                                                OPERATOR_BUCKETED(8, 32),
-                                                OPERATOR_BUCKETED(16, 32),
-                                                OPERATOR_BUCKETED(64, 32)},
-                           operator_depths[] = {OPERATOR_BUCKETED(4, 32),  OPERATOR_BUCKETED(4, 16),
-                                                OPERATOR_BUCKETED(8, 32),  OPERATOR_BUCKETED(8, 16),
-                                                OPERATOR_BUCKETED(64, 32), OPERATOR_BUCKETED(64, 16)};
+                                                OPERATOR_BUCKETED("oit_bucketed", 2, 32),
+                                                OPERATOR_BUCKETED("oit_bucketed", 4, 32),
+                                                OPERATOR_BUCKETED("oit_bucketed", 8, 32),
+                                                OPERATOR_BUCKETED("oit_bucketed", 16, 32),
+                                                OPERATOR_BUCKETED("oit_bucketed", 64, 32)},
+                           operator_depths[] = {OPERATOR_BUCKETED("oit_depth_bits", 4, 32),
+                                                OPERATOR_BUCKETED("oit_depth_bits", 4, 16),
+                                                OPERATOR_BUCKETED("oit_depth_bits", 8, 32),
+                                                OPERATOR_BUCKETED("oit_depth_bits", 8, 16),
+                                                OPERATOR_BUCKETED("oit_depth_bits", 64, 32),
+                                                OPERATOR_BUCKETED("oit_depth_bits", 64, 16)};
 
-static void run_store(oit_setting *t, oit_scene *s, const char *effect, const char *name, const store_setting *setting,
+static void run_store(oit_setting *t, oit_scene *s, const char *name, const store_setting *setting,
                       const oit_truth *truth, int frame_count, operator_row_fn add) {
     oit_desc desc = setting->desc;
     oit_frame frame = oit_scene_frame(s, t->framebuffer);
@@ -120,17 +122,18 @@ static void run_store(oit_setting *t, oit_scene *s, const char *effect, const ch
     for (size_t p = 0; p < (size_t)t->width * (size_t)t->height; ++p)
         for (size_t k = 0; k < 3 && !truth[p].left_out; ++k)
             operator_add_error(&e, (double)picture[4 * p + k] - truth[p].color[k]);
-    add(effect, name, setting->name, median(times, (size_t)taken), e.max, operator_rms(&e), oit_get_info(oit).bytes);
+    add(setting->effect, name, setting->name, median(times, (size_t)taken), e.max, operator_rms(&e),
+        oit_get_info(oit).bytes);
     free(picture);
     oit_destroy(oit);
 }
 
-static void compare_stores(oit_setting *t, oit_scene *s, const char *effect, const char *name,
-                           const store_setting *settings, size_t count, int frame_count, operator_row_fn add) {
+static void compare_stores(oit_setting *t, oit_scene *s, const char *name, const store_setting *settings, size_t count,
+                           int frame_count, operator_row_fn add) {
     oit_truth *truth = need(OPERATOR_STORE_SIZE * OPERATOR_STORE_SIZE * sizeof *truth);
     printf("%s: %.1f %% of pixels left out\n", name, 100 * oit_truth_render(s, truth));
     for (size_t i = 0; i < count; ++i)
-        run_store(t, s, effect, name, &settings[i], truth, frame_count, add);
+        run_store(t, s, name, &settings[i], truth, frame_count, add);
     oit_scene_drop(s);
     free(truth);
 }
@@ -143,14 +146,14 @@ static void run_stores(int frame_count, operator_row_fn add) {
     oit_setting_open(&t, false, OPERATOR_STORE_SIZE, OPERATOR_STORE_SIZE, 0, GL_RGBA32F, (oit_desc){0});
     oit_scene_init(&s, OPERATOR_STORE_SIZE, OPERATOR_STORE_SIZE);
     oit_scene_concentric(&s, 32, 48, 0.1);
-    compare_stores(&t, &s, "oit", "concentric", operator_stores, stores, frame_count, add);
+    compare_stores(&t, &s, "concentric", operator_stores, stores, frame_count, add);
     oit_scene_init(&s, OPERATOR_STORE_SIZE, OPERATOR_STORE_SIZE);
     oit_scene_random_balls(&s, 16, 63, 0.4);
-    compare_stores(&t, &s, "oit", "balls", operator_stores, stores, frame_count, add);
+    compare_stores(&t, &s, "balls", operator_stores, stores, frame_count, add);
     oit_scene_init(&s, OPERATOR_STORE_SIZE, OPERATOR_STORE_SIZE);
     oit_scene_concentric(&s, 32, 48, 0.1);
     oit_scene_camera(&s, 4, 0.005, 8, 0.268);
-    compare_stores(&t, &s, "oit_depth_bits", "concentric", operator_depths, depths, frame_count, add);
+    compare_stores(&t, &s, "concentric", operator_depths, depths, frame_count, add);
     oit_setting_close(&t);
 }
 
