@@ -336,7 +336,7 @@ static void operator_row(operator_bench *b, operator_setting set, const char *na
 
 /* ---- operators: what is compared ---- */
 
-/* With jumps, since what spreads is not in question where links are; so many iterations of all fields, 0: the default. */
+/* So many iterations of all fields; 0: the default. The rest is by default. */
 static operator_setting operator_of(const char *effect, int iterations) {
     operator_setting set;
     memset(&set, 0, sizeof set);
