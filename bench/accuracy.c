@@ -69,8 +69,8 @@ static bool write_table(const char *folder) {
     }
     fputs("effect,scene,setting,milliseconds,error_max,error_rms,bytes\n", csv);
     for (size_t i = 0; i < row_count; ++i)
-        fprintf(csv, "%s,%s,%s,%.4f,%.4f,%.5f,%llu\n", rows[i].effect, rows[i].scene, rows[i].setting, rows[i].ms,
-                rows[i].error_max, rows[i].error_rms, rows[i].bytes);
+        fprintf(csv, "%s,\"%s\",\"%s\",%.4f,%.4f,%.5f,%llu\n", rows[i].effect, rows[i].scene, rows[i].setting,
+                rows[i].ms, rows[i].error_max, rows[i].error_rms, rows[i].bytes);
     return fclose(csv) == 0;
 }
 
