@@ -149,7 +149,7 @@ static GLuint make_operator(const oit_context *oit, const char *text, const char
 /* Neighbours, then the operators of ours: edges into a number that each fragment has for us, and from it opacity. */
 static oit_result operate(oit_context *oit, const GLuint programs[2]) {
     static const int values[2] = {OIT_VALUE_HOST, OIT_VALUE_BASE};
-    oit_operator op = {OIT_RUN_LINK};
+    oit_operator op = {0}; /* OIT_RUN_LINK, by depth */
     oit_result result = oit_run(oit, &op);
     for (int i = 0; i < 2 && result == OIT_OK; ++i) {
         op.kind = OIT_RUN_HOST;

@@ -184,7 +184,7 @@ static void contours_of_a_torus(void **state) {
                 for (size_t i = 0; i < ref_smart_count(&image, x, y); ++i) {
                     const ref_smart_fragment *f = ref_smart_at(&image, x, y, i);
                     ring_fragment own = on_ring(&t, &image, &links, x, y, f);
-                    double nearest = INFINITY;
+                    double nearest = HUGE_VAL;
                     for (int d = 0; d < 4; ++d) {
                         const ref_smart_fragment *other = ref_smart_linked(&image, x, y, f, d);
                         int to_x = x, to_y = y;
@@ -207,7 +207,8 @@ static void contours_of_a_torus(void **state) {
     }
     smart_stage_close(&t);
     printf("    %zu of %zu dark fragments on a contour, %zu of %zu crossings dark\n", right, dark, found, wanted);
-    assert_true(right >= 0.99 * (double)dark && found >= 0.98 * (double)wanted && dark > 700 && wanted > 400);
+    assert_true((double)right >= 0.99 * (double)dark && (double)found >= 0.98 * (double)wanted && dark > 700 &&
+                wanted > 400);
 }
 
 static double darkest(smart_stage *t, int iterations) {

@@ -346,7 +346,7 @@ static void distances_end_with_the_iterations(void **state) {
 /* Law of opacity or none, and of s: the bounds of [0,1] are meant as they are. */
 static void laws_keep_0_and_1(void **state) {
     static const float s[3] = {-1, 1, 1e-7f};
-    static const double expected[3] = {0, 1, 1e-7f};
+    static const double expected[3] = {0, 1, (double)1e-7f};
     smart_stage t;
     (void)state;
     smart_stage_open_wide(&t, false, WIDTH, HEIGHT, smart_truth_desc, ROOM);

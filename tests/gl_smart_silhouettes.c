@@ -29,7 +29,7 @@ static void lay_on(const smart_stage *t, mesh_on_screen *m, uint32_t part, mesh_
     for (size_t i = 0; i < m->object->triangle_count; ++i)
         m->first_fragment[i] = UINT32_MAX;
     for (uint32_t triangle = 0; triangle < m->object->triangle_count; ++triangle) {
-        double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
+        double low[2] = {HUGE_VAL, HUGE_VAL}, high[2] = {-HUGE_VAL, -HUGE_VAL};
         for (uint32_t k = 0; k < 3; ++k) {
             mesh_spot s = mesh_spot_of(m, triangle, k);
             low[0] = fmin(low[0], s.x - slack - 0.5);
@@ -110,7 +110,7 @@ static void add_marks(mesh_on_screen *m, uint32_t part, const mesh_fragment *fra
 /* How near fragments are to a place on a line that begins these sides: any, and marked ones. */
 static double nearest_to(mesh_on_screen *m, size_t first, mesh_spot place, const mesh_fragment *fragments,
                          double *any) {
-    double marked = *any = INFINITY;
+    double marked = *any = HUGE_VAL;
     mesh_begin_walk(m);
     for (size_t i = first; i < mesh_after_side(m, first); ++i)
         mesh_reach(m, m->sides[i].triangle, 0);
@@ -174,7 +174,7 @@ static void add_score(smart_stage *t, mesh_on_screen *meshes, score *sum) {
     ref_smart_links links = smart_stage_links(t, &ops[0].link);
     size_t count = spots_of(&image, &links, fragments, of_pixel);
     for (size_t i = 0; i < count; ++i)
-        gaps[i] = INFINITY;
+        gaps[i] = HUGE_VAL;
     for (size_t i = 0; i < t->scene.count; ++i) {
         mesh_view(&meshes[i], t);
         lay_on(t, &meshes[i], t->scene.objects[i].part, of_pixel, fragments, count, gaps);
@@ -214,7 +214,7 @@ static void turn_all(smart_stage *t, const double middle[3], uint32_t *state) {
 }
 
 static void middle_of(const smart_stage *t, double middle[3]) {
-    double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
+    double low[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, high[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
     for (size_t i = 0; i < t->scene.count; ++i)
         for (size_t v = 0; v < t->scene.truths[i].vertex_count; ++v)
             for (int k = 0; k < 3; ++k) {

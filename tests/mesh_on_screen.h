@@ -250,7 +250,7 @@ static inline void mesh_begin_walk(mesh_on_screen *m) {
  * from a to b (pixels) a path to it has to go, up to `most`. over_lines: also where the surface turns away. Returns the
  * same for the nearest line. */
 static inline double mesh_walk(mesh_on_screen *m, mesh_spot a, mesh_spot b, double most, bool over_lines) {
-    double line = INFINITY;
+    double line = HUGE_VAL;
     for (size_t done = 0; done < m->reached_count; ++done) {
         size_t least = done;
         for (size_t i = done + 1; i < m->reached_count; ++i)
