@@ -557,6 +557,11 @@ int main(int argc, char **argv) {
     static const char *const names[] = {"mug", "crank", "gearbox"};
     const char *folder = argc > 1 ? argv[1] : "build/accuracy";
     harness h;
+    if (!wants("alpha") && !wants("pictures") && !wants("dynamic") && !wants("smart")) {
+        fprintf(stderr, "accuracy: ACCURACY_ONLY=%s: it is alpha, pictures, dynamic or smart\n",
+                getenv("ACCURACY_ONLY"));
+        return 2;
+    }
     mkdir("build", 0777);
     mkdir(folder, 0777);
     harness_open(&h, 450, false, NULL);

@@ -928,6 +928,10 @@ static GLuint make_framebuffer(GLuint color, GLuint depth) {
     return framebuffer;
 }
 
+static bool contours_are_drawn(const illustrate_job *job) {
+    return job->contours != 0;
+}
+
 static bool make_target(renderer *r) {
     int quality = r->job->quality;
     int wide = r->job->width * quality, tall = r->job->height * quality;
@@ -936,6 +940,10 @@ static bool make_target(renderer *r) {
     r->margin = 16 + (int)(0.5f * HEAVIEST * r->job->line_width * (float)quality);
     if (r->style == STYLE_SMART) { /* what is so near to a silhouette shows it */
         int reach = smart_reach(r);
+        r->margin = r->margin < reach ? reach : r->margin;
+    }
+    if (contours_are_drawn(r->job)) { /* by 4 pixels of the result smoothed: three times that, and differences */
+        int reach = 12 * quality + 4;
         r->margin = r->margin < reach ? reach : r->margin;
     }
     r->tile_width = (wide < most ? wide : most) + 2 * r->margin;
@@ -1271,10 +1279,6 @@ static bool has_opaque(const renderer *r) {
         if (!(r->figures[i].object.flags & TR_TRANSPARENT) && !r->figures[i].phantom)
             return true;
     return false;
-}
-
-static bool contours_are_drawn(const illustrate_job *job) {
-    return job->contours != 0;
 }
 
 static bool start_glass(renderer *r, oit_proc (*get_proc)(const char *)) {
